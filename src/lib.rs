@@ -1,1 +1,35 @@
-//! Skeleton.
+//! Evolve, search for and coach the behaviour of groups of agents; the same bits natively, in Node and in browsers.
+//!
+//! Priorities, in order: a reader with the paper open finds each equation and each deviation from it; the same input
+//! gives the same bits everywhere; small; fast.
+//!
+//! ```
+//! use swarm_playground::scenario::{Run, Scenario};
+//!
+//! let scenario = Scenario::read(r#"{"world": "geese", "seed": 42, "agents": 20}"#)?;
+//! let mut run = Run::new(scenario)?;
+//! assert_eq!(run.advance(100), 100);
+//! println!("after {} steps: {:016x}", run.tick(), run.fingerprint());
+//! # Ok::<(), swarm_playground::scenario::ScenarioError>(())
+//! ```
+//!
+//! # Map of the modules
+//!
+//! A module uses what stands above it, never what stands below.
+//!
+//! - [`random`], [`fingerprint`], [`parameter`], [`nearest`]: streams, state hashes, the form of a parameter, spelling.
+//! - [`bt`]: behaviour trees. [`evolution`]: grammatical evolution. Neither knows a world.
+//! - [`geese`]: the foraging swarm that evolves its behaviour trees.
+//! - [`scenario`]: the one JSON description of a run, and runs that can be sought through.
+//! - `web`: the wasm face. The command line is `src/main.rs`.
+
+pub mod bt;
+pub mod evolution;
+pub mod fingerprint;
+pub mod geese;
+pub mod nearest;
+pub mod parameter;
+pub mod random;
+pub mod scenario;
+#[cfg(target_arch = "wasm32")]
+pub mod web;

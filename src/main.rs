@@ -1,1 +1,200 @@
-fn main(){}
+//! The command line: runs scenarios, lists parameters, and checks the engine against cases files.
+
+use clap::{Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::{Value, json};
+use std::fs;
+use std::io::{IsTerminal, Write, stderr, stdout};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+use swarm_playground::evolution::Cases;
+use swarm_playground::scenario::{Run, Scenario, schema};
+
+/// Evolve, search for and coach the behaviour of groups of agents.
+#[derive(Parser)]
+#[command(version, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run a scenario and print its result as one line of JSON
+    Run {
+        /// A scenario file, such as scenarios/foraging.json
+        scenario: PathBuf,
+        /// Use this seed in place of the scenario's (0 to 2^53 - 1)
+        #[arg(long)]
+        seed: Option<u64>,
+        /// Stop after this many steps in place of the scenario's
+        #[arg(long)]
+        steps: Option<u32>,
+    },
+    /// Print every parameter with its bounds, meaning and source, as JSON
+    Schema,
+    /// Run a file of cases against the engine: one line for each, then a summary
+    Conform {
+        #[command(subcommand)]
+        what: Conform,
+    },
+    /// Measure how fast a scenario runs and print the result as one line of JSON
+    Bench {
+        /// A scenario file
+        scenario: PathBuf,
+        /// Steps to run
+        #[arg(long, default_value_t = 2000)]
+        steps: u32,
+    },
+}
+
+#[derive(Subcommand)]
+enum Conform {
+    /// Mapping cases of grammatical evolution (schema ge-oracle/1)
+    Evolution {
+        /// The cases file
+        file: PathBuf,
+    },
+}
+
+/// What went wrong: input that is refused, or cases that failed.
+enum Failure {
+    Input(String),
+    Cases,
+}
+
+fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Run { scenario, seed, steps } => run(&scenario, seed, steps),
+        Command::Schema => print(&format!("{:#}", schema())),
+        Command::Conform { what: Conform::Evolution { file } } => conform(&file),
+        Command::Bench { scenario, steps } => bench(&scenario, steps),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure::Cases) => ExitCode::from(1),
+        Err(Failure::Input(message)) => {
+            // Nothing can be done when standard error is gone too.
+            let _ = writeln!(stderr(), "swarm-playground: {message}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Prints a line; a reader that went away (such as `head`) ends the program quietly.
+fn print(line: &str) -> Result<(), Failure> {
+    match writeln!(stdout(), "{line}") {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Failure::Input(format!("cannot write to standard output: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn read_file(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|error| Failure::Input(format!("cannot read {}: {error}", path.display())))
+}
+
+fn read_run(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Run, Failure> {
+    let text = read_file(path)?;
+    let in_file = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", path.display()));
+    let mut scenario = Scenario::read(&text).map_err(|error| in_file(&error))?;
+    for (option, value) in changes {
+        if let Some(value) = value {
+            scenario = scenario.with(option, value).map_err(|error| Failure::Input(format!("--{error}")))?;
+        }
+    }
+    Run::new(scenario).map_err(|error| in_file(&error))
+}
+
+fn run(path: &Path, seed: Option<u64>, steps: Option<u32>) -> Result<(), Failure> {
+    let changes = [("seed", seed.map(Value::from)), ("steps", steps.map(Value::from))];
+    let mut run = read_run(path, &changes)?;
+    let mut progress = Progress::new();
+    while run.advance(20) == 20 {
+        progress.show(&run);
+    }
+    progress.clear();
+    let result = json!({
+        "world": run.scenario().world.name(),
+        "seed": run.scenario().seed.value(),
+        "steps": run.tick(),
+        "outcome": run.outcome(),
+        "fingerprint": format!("{:016x}", run.fingerprint()),
+        "version": env!("CARGO_PKG_VERSION"),
+    });
+    print(&result.to_string())
+}
+
+/// A progress bar on a terminal, for what takes more than two seconds.
+struct Progress {
+    begun: Instant,
+    bar: Option<ProgressBar>,
+}
+
+const PATIENCE: Duration = Duration::from_secs(2);
+
+impl Progress {
+    #[expect(clippy::disallowed_methods, reason = "the clock decides only whether a progress bar is shown")]
+    fn new() -> Self {
+        Self { begun: Instant::now(), bar: None }
+    }
+
+    fn show(&mut self, run: &Run) {
+        if self.bar.is_none() {
+            if self.begun.elapsed() < PATIENCE || !stderr().is_terminal() {
+                return;
+            }
+            let bar = ProgressBar::new(u64::from(run.scenario().world.steps()));
+            if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} steps, {eta} left") {
+                bar.set_style(style);
+            }
+            self.bar = Some(bar);
+        }
+        if let Some(bar) = &self.bar {
+            bar.set_position(u64::from(run.tick()));
+        }
+    }
+
+    fn clear(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+fn conform(path: &Path) -> Result<(), Failure> {
+    let text = read_file(path)?;
+    let cases = Cases::read(&text).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    let verdicts = cases.run();
+    for verdict in &verdicts {
+        match &verdict.fault {
+            None => print(&format!("ok {}", verdict.id))?,
+            Some(fault) => print(&format!("FAIL {}: {fault}", verdict.id))?,
+        }
+    }
+    let failed = verdicts.iter().filter(|verdict| verdict.fault.is_some()).count();
+    print(&format!("{} passed, {failed} failed", verdicts.len() - failed))?;
+    if failed == 0 { Ok(()) } else { Err(Failure::Cases) }
+}
+
+#[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
+fn bench(path: &Path, steps: u32) -> Result<(), Failure> {
+    let mut run = read_run(path, &[("steps", Some(Value::from(steps)))])?;
+    let agents = run.geese().map_or(1, |world| world.params().agents);
+    let begun = Instant::now();
+    run.advance(steps);
+    let seconds = begun.elapsed().as_secs_f64();
+    let agent_steps = u64::from(run.tick()) * u64::from(agents);
+    let result = json!({
+        "world": run.scenario().world.name(),
+        "seed": run.scenario().seed.value(),
+        "steps": run.tick(),
+        "agent_steps": agent_steps,
+        "seconds": seconds,
+        "agent_steps_per_second": agent_steps as f64 / seconds,
+        "fingerprint": format!("{:016x}", run.fingerprint()),
+    });
+    print(&result.to_string())
+}

@@ -1,0 +1,80 @@
+# Every command of the project: `make` alone lists them.
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help play test build bench clean tools packages engine check check-port
+
+PORT ?= 8080
+export PORT
+
+# First on PATH, since wasm-pack takes the wasm-bindgen and the wasm-opt it finds there: another version of the one
+# would not fit, and some distributions' version of the other breaks the page without an error.
+export PATH := $(CURDIR)/.tools/bin:$(CURDIR)/node_modules/.bin:$(PATH)
+
+help:
+	@echo 'make play     build what is missing and serve the playground (PORT=8080 chooses the port)'
+	@echo 'make test     run every test and check; ends with "N passed, N failed"'
+	@echo 'make build    build the static site into dist/; it works under any path of any server'
+	@echo 'make bench    measure the engine natively and in WebAssembly (STEPS, ROUNDS and SCENARIO choose what)'
+	@echo 'make clean    remove what was built, but not the tools and packages, which take minutes'
+
+# The browser's address is printed last; the sources of the page are served, so an edit shows at once.
+play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json www/engine/swarm_playground_bg.wasm
+	@node scripts/play.mjs
+
+test: check
+	@node scripts/test.mjs
+
+build: check node_modules/.package-lock.json www/engine/.optimised
+	@node_modules/.bin/vite build --logLevel warn
+	@echo 'Built dist/.'
+
+bench: check www/engine/.optimised
+	@node scripts/bench.mjs
+
+clean:
+	rm -rf dist www/engine
+	cargo clean
+
+# Steps of the above, by name for scripts/test.mjs.
+tools: .tools/bin/wasm-pack
+packages: node_modules/.package-lock.json
+engine: www/engine/.optimised
+
+check:
+	@sh scripts/check.sh $(MAKECMDGOALS)
+
+# Before anything is built, so that a busy port is told at once.
+check-port: check
+	@node scripts/play.mjs --check-port
+
+# Cargo's notes on old code inside the tools' dependencies concern nobody here.
+.tools/bin/wasm-pack: $(shell find tools/Cargo.toml tools/Cargo.lock tools/src) | check
+	@echo 'Building wasm-pack and wasm-bindgen, once: two to three minutes'
+	@CARGO_FUTURE_INCOMPAT_REPORT_FREQUENCY=never \
+	  cargo build --locked --manifest-path tools/Cargo.toml --target-dir .tools/target
+	@mkdir -p .tools/bin
+	@cd .tools/target/debug && cp -f wasm-bindgen wasm-bindgen-test-runner wasm-pack ../../bin/
+
+node_modules/.package-lock.json: package-lock.json | check
+	@echo 'Installing the npm packages'
+	@npm ci --no-audit --no-fund --loglevel error
+	@touch $@
+
+# The engine is built in one place in two ways: quickly for `make play`, and optimised for everything that is given
+# away or measured. The file .optimised says which one is there; `make play` takes either.
+wasm_pack_build = .tools/bin/wasm-pack --log-level warn build --mode no-install \
+  --target web --release --out-dir www/engine --out-name swarm_playground --no-pack
+
+# Folders are among the sources: they change when a file is removed.
+engine_sources := Cargo.toml Cargo.lock $(shell find src scenarios)
+
+www/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
+	@echo 'Building the engine'
+	@rm -f www/engine/.optimised
+	@$(wasm_pack_build) --no-opt -- --no-default-features
+
+www/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
+	@echo 'Building the optimised engine'
+	@$(wasm_pack_build) -- --no-default-features
+	@touch $@

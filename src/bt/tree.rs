@@ -1,0 +1,251 @@
+//! The tree as a flat arena: nodes in preorder, so a node's index is the id that is shown and saved.
+
+use std::fmt;
+
+/// A node's place in preorder; the root is 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NodeId(pub u32);
+
+impl NodeId {
+    /// The place as an index into [`Tree::nodes`].
+    #[must_use]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// What a node does with its children, or the leaf that the host runs.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Kind<L> {
+    /// Ticks children in order from the one that was RUNNING; fails with the first that fails.
+    Sequence,
+    /// A Sequence that keeps its place after a failure and after a halt.
+    SequenceWithMemory,
+    /// A Sequence that starts from the first child in every tick.
+    ReactiveSequence,
+    /// Ticks children in order from the one that was RUNNING; succeeds with the first that succeeds (a selector).
+    Fallback,
+    /// A Fallback that starts from the first child in every tick.
+    ReactiveFallback,
+    /// Ticks all children that have not completed; ends when one of the thresholds is reached.
+    Parallel {
+        /// Successes needed; a negative number counts from the number of children N: N + 1 + value.
+        success_count: i32,
+        /// Failures that end it; a negative number counts as above.
+        failure_count: i32,
+    },
+    /// Exchanges SUCCESS and FAILURE.
+    Inverter,
+    /// Any completion becomes SUCCESS.
+    ForceSuccess,
+    /// Any completion becomes FAILURE.
+    ForceFailure,
+    /// A condition or an action of the world.
+    Leaf(L),
+}
+
+impl<L> Kind<L> {
+    /// The registered name in `BehaviorTree.CPP`; `Leaf` for leaves, whose names belong to the world.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Sequence => "Sequence",
+            Self::SequenceWithMemory => "SequenceWithMemory",
+            Self::ReactiveSequence => "ReactiveSequence",
+            Self::Fallback => "Fallback",
+            Self::ReactiveFallback => "ReactiveFallback",
+            Self::Parallel { .. } => "Parallel",
+            Self::Inverter => "Inverter",
+            Self::ForceSuccess => "ForceSuccess",
+            Self::ForceFailure => "ForceFailure",
+            Self::Leaf(_) => "Leaf",
+        }
+    }
+
+    /// How many children the kind takes: least and most (`None`: no bound).
+    fn arity(&self) -> (usize, Option<usize>) {
+        match self {
+            Self::Sequence
+            | Self::SequenceWithMemory
+            | Self::ReactiveSequence
+            | Self::Fallback
+            | Self::ReactiveFallback
+            | Self::Parallel { .. } => (1, None),
+            Self::Inverter | Self::ForceSuccess | Self::ForceFailure => (1, Some(1)),
+            Self::Leaf(_) => (0, Some(0)),
+        }
+    }
+}
+
+/// One node of the arena.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Node<L> {
+    /// What it does.
+    pub kind: Kind<L>,
+    /// One past its last descendant: where its next sibling would stand.
+    pub end: u32,
+}
+
+/// A well-formed tree: at least one node, every kind with the number of children it takes.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Tree<L> {
+    nodes: Vec<Node<L>>,
+}
+
+impl<L> Tree<L> {
+    /// All nodes in preorder; the root is first.
+    #[must_use]
+    pub fn nodes(&self) -> &[Node<L>] {
+        &self.nodes
+    }
+
+    /// The ids of the children of `node`, left to right.
+    #[must_use]
+    pub fn children(&self, node: NodeId) -> Children<'_, L> {
+        Children { nodes: &self.nodes, next: node.0 + 1, end: self.nodes[node.index()].end }
+    }
+
+    /// The parent of each node; `None` for the root.
+    #[must_use]
+    pub fn parents(&self) -> Vec<Option<NodeId>> {
+        let mut parents = vec![None; self.nodes.len()];
+        for id in (0..self.nodes.len() as u32).map(NodeId) {
+            for child in self.children(id) {
+                parents[child.index()] = Some(id);
+            }
+        }
+        parents
+    }
+}
+
+/// The children of a node, left to right.
+#[derive(Clone, Debug)]
+pub struct Children<'a, L> {
+    nodes: &'a [Node<L>],
+    next: u32,
+    end: u32,
+}
+
+impl<L> Iterator for Children<'_, L> {
+    type Item = NodeId;
+
+    fn next(&mut self) -> Option<NodeId> {
+        (self.next < self.end).then(|| {
+            let child = NodeId(self.next);
+            self.next = self.nodes[child.index()].end;
+            child
+        })
+    }
+}
+
+/// Why a builder's nodes are no tree.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BuildError {
+    /// No node was given.
+    Empty,
+    /// A second root begins at this node.
+    SecondRoot(NodeId),
+    /// `close` was called more or fewer times than `open`.
+    Unbalanced,
+    /// The node, its kind's name, and how many children it has.
+    Children(NodeId, &'static str, usize),
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => write!(out, "expected a tree of at least one node, found none"),
+            Self::SecondRoot(node) => write!(out, "expected one root, found a second one at node {}", node.0),
+            Self::Unbalanced => write!(out, "expected as many closed nodes as opened ones"),
+            Self::Children(node, kind, found) => {
+                let expected = match *kind {
+                    "Inverter" | "ForceSuccess" | "ForceFailure" => "exactly 1 child",
+                    _ => "at least 1 child",
+                };
+                write!(out, "node {}: expected {expected} for {kind}, found {found}", node.0)
+            }
+        }
+    }
+}
+
+impl std::error::Error for BuildError {}
+
+/// Builds a tree in preorder: `open` a node, add what belongs inside it, `close` it.
+///
+/// Holds its memory for the next tree: [`Builder::finish_into`] allocates nothing once it has seen trees as large.
+#[derive(Clone, Debug)]
+pub struct Builder<L> {
+    nodes: Vec<Node<L>>,
+    open: Vec<NodeId>,
+    /// The first fault; later calls are ignored.
+    fault: Option<BuildError>,
+}
+
+impl<L> Default for Builder<L> {
+    fn default() -> Self {
+        Self { nodes: Vec::new(), open: Vec::new(), fault: None }
+    }
+}
+
+impl<L> Builder<L> {
+    /// Begins a node whose children follow.
+    pub fn open(&mut self, kind: Kind<L>) {
+        let id = NodeId(self.nodes.len() as u32);
+        if id.0 > 0 && self.open.is_empty() && self.fault.is_none() {
+            self.fault = Some(BuildError::SecondRoot(id));
+        }
+        self.nodes.push(Node { kind, end: id.0 + 1 });
+        self.open.push(id);
+    }
+
+    /// Adds a leaf.
+    pub fn leaf(&mut self, leaf: L) {
+        self.open(Kind::Leaf(leaf));
+        self.close();
+    }
+
+    /// Ends the node opened last.
+    pub fn close(&mut self) {
+        let end = self.nodes.len() as u32;
+        let Some(id) = self.open.pop() else {
+            self.fault = self.fault.take().or(Some(BuildError::Unbalanced));
+            return;
+        };
+        self.nodes[id.index()].end = end;
+        let kind = &self.nodes[id.index()].kind;
+        let (least, most) = kind.arity();
+        let found = Children { nodes: &self.nodes, next: id.0 + 1, end }.count();
+        if (found < least || most.is_some_and(|most| found > most)) && self.fault.is_none() {
+            self.fault = Some(BuildError::Children(id, kind.name(), found));
+        }
+    }
+
+    /// Returns the tree and starts afresh.
+    ///
+    /// # Errors
+    /// The first fault: no node, a second root, unbalanced nodes, a wrong number of children.
+    pub fn finish(&mut self) -> Result<Tree<L>, BuildError> {
+        let mut tree = Tree { nodes: Vec::new() };
+        self.finish_into(&mut tree)?;
+        Ok(tree)
+    }
+
+    /// As [`Builder::finish`], into a tree whose memory is used again; on an error `tree` stays as it was.
+    ///
+    /// # Errors
+    /// As [`Builder::finish`].
+    pub fn finish_into(&mut self, tree: &mut Tree<L>) -> Result<(), BuildError> {
+        let fault = match (self.fault.take(), self.nodes.is_empty(), self.open.is_empty()) {
+            (Some(fault), ..) => Some(fault),
+            (None, true, _) => Some(BuildError::Empty),
+            (None, _, false) => Some(BuildError::Unbalanced),
+            (None, false, true) => None,
+        };
+        if fault.is_none() {
+            std::mem::swap(&mut tree.nodes, &mut self.nodes);
+        }
+        self.nodes.clear();
+        self.open.clear();
+        fault.map_or(Ok(()), Err)
+    }
+}

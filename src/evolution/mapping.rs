@@ -1,0 +1,182 @@
+//! The genotype-to-phenotype mapping: leftmost, depth first, codon mod number of alternatives.
+
+use super::grammar::{AlternativeId, Grammar, RuleId, Symbol, TerminalId};
+
+/// When a mapping gives up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// How many times the codons may be read again from the first; 0 means not at all.
+    pub max_wraps: u32,
+    /// The deepest any symbol may stand, terminals included; the start symbol has depth 1.
+    pub max_depth: u32,
+}
+
+impl Limits {
+    /// No limit of depth.
+    pub const ANY_DEPTH: u32 = u32::MAX;
+}
+
+/// A mapping that ended with no non-terminal left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mapped {
+    /// Non-terminals expanded, each of which took one codon; with wraps it may exceed the number of codons.
+    pub used: u32,
+    /// The largest depth of any symbol, terminals included.
+    pub depth: u32,
+}
+
+/// Why codons map to no program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Invalid {
+    /// A non-terminal was left when the codons and all wraps were used up.
+    CodonsUsedUp,
+    /// A symbol would stand deeper than allowed.
+    TooDeep,
+}
+
+/// Told of a derivation while it happens; the calls come in reading order.
+pub trait Derivation {
+    /// Whether `terminal` is called; a mapper that need not stop at terminals is faster.
+    const TERMINALS: bool;
+
+    /// `rule`, at `depth`, was replaced by `alternative`, chosen by a codon of value `codon`.
+    fn expand(&mut self, rule: RuleId, alternative: AlternativeId, codon: u16, depth: u32);
+
+    /// Literal text was emitted.
+    fn terminal(&mut self, _terminal: TerminalId) {}
+}
+
+/// A grammar compiled for mapping, with the memory the mapping needs: [`Mapper::map`] allocates only for a
+/// derivation with more pending symbols than any before.
+#[derive(Clone, Debug)]
+pub struct Mapper {
+    rules: Vec<Choice>,
+    /// For each alternative its range in `all` and in `inner`.
+    alternatives: Vec<[u32; 4]>,
+    /// The symbols of each alternative, last first, as they go onto the stack.
+    all: Vec<u32>,
+    /// The same without terminals.
+    inner: Vec<u32>,
+    stack: Vec<Pending>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Choice {
+    first: u16,
+    count: u16,
+    /// 2^32 / count, rounded up: `codon / count` as one multiplication, exact for 16-bit numbers.
+    reciprocal: u64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Pending {
+    symbol: u32,
+    depth: u32,
+}
+
+/// Set in a symbol's number when it is a terminal.
+const TERMINAL: u32 = 1 << 31;
+
+impl Mapper {
+    /// Compiles `grammar`.
+    #[must_use]
+    pub fn new(grammar: &Grammar) -> Self {
+        let mut mapper = Self { rules: vec![], alternatives: vec![], all: vec![], inner: vec![], stack: vec![] };
+        for rule in (0..grammar.rule_count()).map(RuleId) {
+            let first = mapper.alternatives.len() as u16;
+            for alternative in grammar.alternatives(rule) {
+                let from = [mapper.all.len() as u32, mapper.inner.len() as u32];
+                for (symbol, _) in grammar.symbols(alternative).iter().rev() {
+                    match symbol {
+                        Symbol::NonTerminal(rule) => {
+                            mapper.all.push(u32::from(rule.0));
+                            mapper.inner.push(u32::from(rule.0));
+                        }
+                        Symbol::Terminal(terminal) => mapper.all.push(TERMINAL | u32::from(terminal.0)),
+                    }
+                }
+                mapper.alternatives.push([from[0], mapper.all.len() as u32, from[1], mapper.inner.len() as u32]);
+            }
+            let count = mapper.alternatives.len() as u16 - first;
+            mapper.rules.push(Choice { first, count, reciprocal: (1_u64 << 32).div_ceil(u64::from(count)) });
+        }
+        mapper
+    }
+
+    /// Maps `codons` and tells `derivation` each step.
+    ///
+    /// Every non-terminal takes one codon, also when its rule has a single alternative; alternative =
+    /// codon mod number of alternatives. On an error `derivation` has seen the steps up to it.
+    ///
+    /// # Errors
+    /// [`Invalid`]: the codons and their wraps were used up, or a symbol would stand too deep.
+    ///
+    /// Source: BeTr-GEESE, section 3; the order, the single choices and the count of the depth are those of
+    /// `PonyGE2`, which the paper used.
+    pub fn map<D: Derivation>(
+        &mut self,
+        codons: &[u16],
+        limits: Limits,
+        derivation: &mut D,
+    ) -> Result<Mapped, Invalid> {
+        let allowed = (codons.len() as u64).saturating_mul(u64::from(limits.max_wraps) + 1);
+        let (mut used, mut next, mut depth) = (0_u32, 0, 0);
+        self.stack.clear();
+        self.stack.push(Pending { symbol: 0, depth: 1 });
+        while let Some(pending) = self.stack.pop() {
+            if D::TERMINALS && pending.symbol & TERMINAL != 0 {
+                derivation.terminal(TerminalId((pending.symbol & !TERMINAL) as u16));
+                continue;
+            }
+            if u64::from(used) == allowed {
+                return Err(Invalid::CodonsUsedUp);
+            }
+            // Every alternative has a symbol, and each stands one deeper.
+            if pending.depth >= limits.max_depth {
+                return Err(Invalid::TooDeep);
+            }
+            depth = depth.max(pending.depth + 1);
+            let codon = codons[next];
+            next = if next + 1 == codons.len() { 0 } else { next + 1 };
+            used += 1;
+            let choice = self.rules[pending.symbol as usize];
+            let quotient = (u64::from(codon) * choice.reciprocal) >> 32;
+            let alternative = choice.first + (codon - quotient as u16 * choice.count);
+            derivation.expand(RuleId(pending.symbol as u16), AlternativeId(alternative), codon, pending.depth);
+            let [from, to, inner_from, inner_to] = self.alternatives[usize::from(alternative)];
+            let symbols = if D::TERMINALS {
+                &self.all[from as usize..to as usize]
+            } else {
+                &self.inner[inner_from as usize..inner_to as usize]
+            };
+            self.stack.extend(symbols.iter().map(|&symbol| Pending { symbol, depth: pending.depth + 1 }));
+        }
+        Ok(Mapped { used, depth })
+    }
+}
+
+/// The derivation as text: the terminals in order, nothing between them.
+#[derive(Clone, Debug)]
+pub struct Phenotype<'a> {
+    terminals: &'a [String],
+    /// The text so far.
+    pub text: String,
+}
+
+impl<'a> Phenotype<'a> {
+    /// An empty text over the terminals of `grammar`.
+    #[must_use]
+    pub fn new(grammar: &'a Grammar) -> Self {
+        Self { terminals: grammar.terminals(), text: String::new() }
+    }
+}
+
+impl Derivation for Phenotype<'_> {
+    const TERMINALS: bool = true;
+
+    fn expand(&mut self, _rule: RuleId, _alternative: AlternativeId, _codon: u16, _depth: u32) {}
+
+    fn terminal(&mut self, terminal: TerminalId) {
+        self.text.push_str(&self.terminals[usize::from(terminal.0)]);
+    }
+}

@@ -1,0 +1,171 @@
+//! The act phase: parents from the pool, children by crossover and mutation, the most diverse child.
+
+use super::mind::{Entry, Mind};
+use super::params::{MutationMode, ParentSelection, Params};
+use super::program::{Compiler, Survey};
+use crate::evolution::{Genome, Mutation, best_share, one_point_crossover, tournament};
+use crate::random::Stream;
+use rand::RngExt;
+
+/// Where a genome of the pool lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// In the agent's storage, by place.
+    Stored(u32),
+    /// With its owner, met in this very step: no copy is needed.
+    Met(u32),
+}
+
+/// Breeds children; holds the compiler and all memory that breeding needs.
+#[derive(Clone, Debug)]
+pub struct Breeder {
+    /// Turns genomes into programs.
+    pub compiler: Compiler,
+    mutation: Mutation,
+    /// The genomes to choose from, by source.
+    pub pool: Vec<Source>,
+    fitness: Vec<f64>,
+    order: Vec<u32>,
+    children: [Genome; 2],
+    best: Genome,
+}
+
+/// The most diverse child of a brood.
+#[derive(Clone, Debug)]
+pub struct Best<'a> {
+    /// Its genome, mapped.
+    pub genome: &'a Genome,
+    /// Its diversity.
+    pub diversity: f64,
+}
+
+impl Breeder {
+    /// Takes a compiler; the operators follow `params`.
+    #[must_use]
+    pub fn new(compiler: Compiler, params: &Params) -> Self {
+        Self {
+            compiler,
+            mutation: mutation(params),
+            pool: Vec::new(),
+            fitness: Vec::new(),
+            order: Vec::new(),
+            children: [Genome::default(), Genome::default()],
+            best: Genome::default(),
+        }
+    }
+
+    /// Follows a change of live parameters.
+    pub fn tune(&mut self, params: &Params) {
+        self.mutation = mutation(params);
+    }
+
+    /// Draws genomes until one maps to a program.
+    ///
+    /// Returns `None` when 100,000 draws gave none.
+    pub fn genesis(&mut self, params: &Params, rng: &mut Stream, genome: &mut Genome) -> Option<Survey> {
+        (0..100_000).find_map(|_| {
+            genome.randomise(rng, params.genome_length, params.codon_max);
+            self.compiler.survey_genome(genome)
+        })
+    }
+
+    /// Breeds from the pool and the agent's own genome; returns the child of highest diversity, the first of equal
+    /// ones, or `None` when every child maps to nothing.
+    ///
+    /// - `own`: the agent's mind; it stands last in the pool.
+    /// - `stored`: the agent's storage, to which the pool's [`Source::Stored`] points.
+    /// - `minds`: all agents, to which [`Source::Met`] points.
+    ///
+    /// Source: BeTr-GEESE, sections 3 and 4.1, Table 1. The share of parents and the number of children are our choice.
+    pub fn breed(
+        &mut self,
+        params: &Params,
+        rng: &mut Stream,
+        own: &Mind,
+        stored: &[Entry],
+        minds: &[Mind],
+    ) -> Option<Best<'_>> {
+        let Self { compiler, mutation, pool, fitness, order, children, best } = self;
+        let genome_of = |index: u32| match pool.get(index as usize) {
+            Some(&Source::Stored(at)) => &stored[at as usize].genome,
+            Some(&Source::Met(agent)) => &minds[agent as usize].genome,
+            None => &own.genome,
+        };
+        fitness.clear();
+        fitness.extend(pool.iter().map(|source| match *source {
+            Source::Stored(at) => stored[at as usize].fitness,
+            Source::Met(agent) => minds[agent as usize].fitness,
+        }));
+        fitness.push(own.fitness);
+        order.clear();
+        order.extend(0..fitness.len() as u32);
+        let parents = match params.parent_selection {
+            ParentSelection::Truncation => best_share(order, fitness, params.parent_share),
+            ParentSelection::Tournament => order.len(),
+        };
+
+        let mut found: Option<Survey> = None;
+        let mut bred = 0;
+        while bred < params.children {
+            let pair = match params.parent_selection {
+                ParentSelection::Truncation => two_different(rng, parents as u32).map(|place| order[place as usize]),
+                ParentSelection::Tournament => tournament_pair(rng, fitness, params.tournament_size),
+            };
+            let [a, b] = pair.map(genome_of);
+            let [first, second] = &mut *children;
+            let crossed = rng.random_bool(params.crossover_probability);
+            if crossed {
+                one_point_crossover(rng, [a, b], params.genome_length, [&mut *first, &mut *second]);
+            } else {
+                first.clone_from(a);
+                second.clone_from(b);
+            }
+            for child in [first, second].into_iter().take((params.children - bred) as usize) {
+                bred += 1;
+                // Mutation touches the used codons, so a crossed child is mapped before and after it.
+                let mut survey = if crossed { compiler.survey_genome(child) } else { None };
+                let active = child.active();
+                if mutation.apply(rng, child, active).is_some() || !crossed {
+                    survey = compiler.survey_genome(child);
+                }
+                let Some(survey) = survey else { continue };
+                if found.is_none_or(|best| survey.names.count_ones() > best.names.count_ones()) {
+                    found = Some(survey);
+                    std::mem::swap(best, child);
+                }
+            }
+        }
+        found.map(|survey| Best { genome: best, diversity: compiler.diversity(survey.names) })
+    }
+}
+
+fn mutation(params: &Params) -> Mutation {
+    match params.mutation_mode {
+        MutationMode::Bit => Mutation::of_bits(params.mutation_probability, params.codon_max),
+        MutationMode::Codon => Mutation::of_codons(params.mutation_probability, params.codon_max),
+    }
+}
+
+/// Two different numbers below `count`, each pair equally likely; the same number twice when `count` is 1.
+fn two_different(rng: &mut Stream, count: u32) -> [u32; 2] {
+    let first = rng.random_range(0..count);
+    if count == 1 {
+        return [first, first];
+    }
+    let second = rng.random_range(0..count - 1);
+    [first, second + u32::from(second >= first)]
+}
+
+/// Two tournament winners; drawn again a few times when they are the same, since a genome crossed with itself
+/// gives nothing new.
+fn tournament_pair(rng: &mut Stream, fitness: &[f64], size: u32) -> [u32; 2] {
+    let first = tournament(rng, fitness, size) as u32;
+    let mut second = first;
+    for _ in 0..8 {
+        second = tournament(rng, fitness, size) as u32;
+        if second != first {
+            break;
+        }
+    }
+    [first, second]
+}

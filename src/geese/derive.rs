@@ -1,0 +1,133 @@
+//! A derivation step by step: which codon chose what, and which node of the tree came of it.
+
+use super::inspect::{ShownNode, shown_nodes};
+use super::language::Token;
+use super::program::{Compiler, needs_root, placeholder, program_text};
+use crate::evolution::{AlternativeId, Derivation, Invalid, Mapper, RuleId, TerminalId};
+use serde::Serialize;
+
+/// What a genome derives, valid or not.
+#[derive(Clone, Debug, Serialize)]
+pub struct Derived {
+    valid: bool,
+    reason: Option<String>,
+    used: usize,
+    depth: u32,
+    phenotype: Option<String>,
+    diversity: Option<f64>,
+    steps: Vec<DerivedStep>,
+    nodes: Option<Vec<ShownNode>>,
+}
+
+/// One expanded non-terminal.
+#[derive(Clone, Debug, Serialize)]
+pub struct DerivedStep {
+    codon: usize,
+    value: u16,
+    rule: String,
+    alternatives: usize,
+    choice: usize,
+    text: String,
+    depth: u32,
+    /// The innermost node that the step's text belongs to; `None` when the genome is invalid.
+    node: Option<u32>,
+}
+
+impl Derived {
+    /// Derives `codons`.
+    #[must_use]
+    pub fn of(compiler: &mut Compiler, codons: &[u16]) -> Self {
+        let grammar = compiler.grammar().clone();
+        let tokens = compiler.tokens_of_terminals().to_vec();
+        let limits = compiler.limits();
+        let mut steps = Steps { tokens: &tokens, taken: Vec::new(), emitted: Vec::new() };
+        let mapped = Mapper::new(&grammar).map(codons, limits, &mut steps);
+        let nodes_of_tokens = mapped.is_ok().then(|| nodes_of_tokens(&steps.emitted));
+        let depth = steps.taken.iter().map(|step| step.depth + 1).max().unwrap_or(1);
+        let shown = steps.taken.iter().enumerate().map(|(index, step)| {
+            let alternatives: Vec<AlternativeId> = grammar.alternatives(step.rule).collect();
+            DerivedStep {
+                codon: index % codons.len().max(1),
+                value: step.value,
+                rule: grammar.rule_name(step.rule).to_owned(),
+                alternatives: alternatives.len(),
+                choice: alternatives.iter().position(|&id| id == step.alternative).unwrap_or(0),
+                text: grammar.alternative_text(step.alternative),
+                depth: step.depth,
+                node: nodes_of_tokens.as_ref().and_then(|nodes| nodes.get(step.emitted).copied()),
+            }
+        });
+        let steps: Vec<DerivedStep> = shown.collect();
+        let mut tree = placeholder();
+        let survey = compiler.survey(codons).ok().filter(|_| compiler.compile(codons, &mut tree).is_ok());
+        Self {
+            valid: survey.is_some(),
+            reason: mapped.err().map(|reason| match reason {
+                Invalid::CodonsUsedUp => "codons used up".to_owned(),
+                Invalid::TooDeep => format!("depth limit {} exceeded", limits.max_depth),
+            }),
+            used: steps.len(),
+            depth,
+            phenotype: survey.map(|_| program_text(&tree)),
+            diversity: survey.map(|survey| compiler.diversity(survey.names)),
+            steps,
+            nodes: survey.map(|_| shown_nodes(&tree)),
+        }
+    }
+}
+
+struct Taken {
+    rule: RuleId,
+    alternative: AlternativeId,
+    value: u16,
+    depth: u32,
+    /// Tokens emitted before the step.
+    emitted: usize,
+}
+
+struct Steps<'a> {
+    tokens: &'a [Vec<Token>],
+    taken: Vec<Taken>,
+    emitted: Vec<Token>,
+}
+
+impl Derivation for Steps<'_> {
+    const TERMINALS: bool = true;
+
+    fn expand(&mut self, rule: RuleId, alternative: AlternativeId, value: u16, depth: u32) {
+        self.taken.push(Taken { rule, alternative, value, depth, emitted: self.emitted.len() });
+    }
+
+    fn terminal(&mut self, terminal: TerminalId) {
+        self.emitted.extend_from_slice(&self.tokens[usize::from(terminal.0)]);
+    }
+}
+
+/// For each token the node it belongs to, numbered in preorder as the builder numbers them.
+fn nodes_of_tokens(tokens: &[Token]) -> Vec<u32> {
+    let root = needs_root(tokens);
+    let (mut next, mut open) = (u32::from(root), if root { vec![0] } else { vec![] });
+    let mut pending_leaf = None;
+    let mut nodes = Vec::with_capacity(tokens.len());
+    for (index, token) in tokens.iter().enumerate() {
+        let node = match token {
+            Token::Sequence | Token::Selector => {
+                open.push(next);
+                next += 1;
+                next - 1
+            }
+            Token::CloseNode => open.pop().unwrap_or(0),
+            Token::OpenTag(_) | Token::Not => *pending_leaf.get_or_insert(next),
+            Token::Name(_) => {
+                next += 1;
+                pending_leaf = None;
+                next - 1
+            }
+            // A closing tag or an argument belongs to the leaf just read.
+            Token::Object(_) | Token::CloseTag => next.saturating_sub(1),
+        };
+        debug_assert_eq!(nodes.len(), index);
+        nodes.push(node);
+    }
+    nodes
+}

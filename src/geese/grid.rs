@@ -1,0 +1,150 @@
+//! Points in the square arena, sorted into cells, so that a search near a place looks at few of them.
+
+/// A set of points with ids 0 to n - 1, each in the set or not.
+///
+/// Cells are linked lists through the ids: moving a point changes two lists and allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    half: f64,
+    /// Cells along one side.
+    side: u32,
+    /// The first point of each cell.
+    heads: Vec<u32>,
+    next: Vec<u32>,
+    previous: Vec<u32>,
+    cells: Vec<u32>,
+    points: Vec<[f64; 2]>,
+}
+
+const NONE: u32 = u32::MAX;
+/// The side of a cell: the default sensing radius, so that a search looks at nine cells at most.
+const CELL: f64 = 5.0;
+
+impl Grid {
+    /// An empty set for `count` points in the arena `[-half, half]` squared.
+    #[must_use]
+    pub fn new(half: f64, count: u32) -> Self {
+        let side = ((2.0 * half / CELL).ceil() as u32).max(1);
+        let count = count as usize;
+        Self {
+            half,
+            side,
+            heads: vec![NONE; (side * side) as usize],
+            next: vec![NONE; count],
+            previous: vec![NONE; count],
+            cells: vec![NONE; count],
+            points: vec![[0.0; 2]; count],
+        }
+    }
+
+    /// Where the point is, or last was.
+    #[must_use]
+    pub fn point(&self, id: u32) -> [f64; 2] {
+        self.points[id as usize]
+    }
+
+    /// True when the point is in the set.
+    #[cfg(test)]
+    fn contains(&self, id: u32) -> bool {
+        self.cells[id as usize] != NONE
+    }
+
+    /// Puts the point at a place, into the set if it was not in it.
+    pub fn put(&mut self, id: u32, point: [f64; 2]) {
+        self.points[id as usize] = point;
+        let cell = self.axis(point[1]) * self.side + self.axis(point[0]);
+        if self.cells[id as usize] == cell {
+            return;
+        }
+        self.remove(id);
+        let head = self.heads[cell as usize];
+        self.next[id as usize] = head;
+        self.previous[id as usize] = NONE;
+        if head != NONE {
+            self.previous[head as usize] = id;
+        }
+        self.heads[cell as usize] = id;
+        self.cells[id as usize] = cell;
+    }
+
+    /// Takes the point out of the set; its place is kept.
+    pub fn remove(&mut self, id: u32) {
+        let cell = self.cells[id as usize];
+        if cell == NONE {
+            return;
+        }
+        let (next, previous) = (self.next[id as usize], self.previous[id as usize]);
+        if previous == NONE {
+            self.heads[cell as usize] = next;
+        } else {
+            self.next[previous as usize] = next;
+        }
+        if next != NONE {
+            self.previous[next as usize] = previous;
+        }
+        self.cells[id as usize] = NONE;
+    }
+
+    /// Calls `found` with id and squared distance of every point within `radius` of `place`; in no useful order.
+    #[inline]
+    pub fn near(&self, place: [f64; 2], radius: f64, mut found: impl FnMut(u32, f64)) {
+        let within = radius * radius;
+        let (left, right) = (self.axis(place[0] - radius), self.axis(place[0] + radius));
+        let (bottom, top) = (self.axis(place[1] - radius), self.axis(place[1] + radius));
+        for row in bottom..=top {
+            for cell in row * self.side + left..=row * self.side + right {
+                let mut id = self.heads[cell as usize];
+                while id != NONE {
+                    let distance = squared_distance(self.points[id as usize], place);
+                    if distance <= within {
+                        found(id, distance);
+                    }
+                    id = self.next[id as usize];
+                }
+            }
+        }
+    }
+
+    /// The cell of a coordinate along one axis; places outside the arena count to its outermost cells.
+    fn axis(&self, coordinate: f64) -> u32 {
+        // The conversion saturates: anything left of the arena becomes 0.
+        (((coordinate + self.half) / CELL) as u32).min(self.side - 1)
+    }
+}
+
+/// The square of the distance of two points.
+#[must_use]
+pub fn squared_distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
+    dx * dx + dy * dy
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_finds_what_a_full_search_finds() {
+        let mut grid = Grid::new(50.0, 400);
+        let place = |id: u32, salt: u32| {
+            let x = f64::from(id.wrapping_mul(2_654_435_761).wrapping_add(salt) % 1001) / 10.0 - 50.0;
+            let y = f64::from(id.wrapping_mul(40_503).wrapping_add(salt * 7) % 1001) / 10.0 - 50.0;
+            [x, y]
+        };
+        for salt in 0..3 {
+            (0..400).for_each(|id| grid.put(id, place(id, salt)));
+        }
+        (0..400).filter(|id| id % 7 == 0).for_each(|id| grid.remove(id));
+        for id in 0..400 {
+            for radius in [0.5, 5.0, 17.0, 200.0] {
+                let mut found = Vec::new();
+                grid.near(grid.point(id), radius, |other, _| found.push(other));
+                found.sort_unstable();
+                let all = (0..400).filter(|&other| grid.contains(other));
+                let expected: Vec<u32> =
+                    all.filter(|&o| squared_distance(grid.point(o), grid.point(id)) <= radius * radius).collect();
+                assert_eq!(found, expected);
+            }
+        }
+    }
+}

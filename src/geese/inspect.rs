@@ -1,0 +1,297 @@
+//! What the inspector shows: one agent, the agents of one program, or everyone.
+
+use super::leaf::{Leaf, Name, Object, Tag};
+use super::mind::{Mind, Trace};
+use super::program::program_text;
+use super::world::{State, World};
+use crate::bt::{Kind, Tree};
+use serde::{Deserialize, Serialize};
+
+/// What to show.
+#[derive(Clone, Debug, Default, Deserialize)]
+pub struct Query {
+    /// An agent by number.
+    pub agent: Option<u32>,
+    /// A program by its id, 16 hex digits; ignored when an agent is given.
+    pub program: Option<String>,
+    /// A node of the shown tree: the agents that reached it in the last step are listed.
+    pub node: Option<u32>,
+}
+
+/// The answer to a query.
+#[derive(Clone, Debug, Serialize)]
+pub struct Detail {
+    tick: u32,
+    programs: Programs,
+    behaviours: Vec<Behaviour>,
+    agent: Option<Agent>,
+    tree: Option<ShownTree>,
+    reached: Option<Vec<u32>>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Programs {
+    count: usize,
+    top: Vec<Group>,
+}
+
+/// Agents that ran the same program in the last step.
+#[derive(Clone, Debug, Serialize)]
+struct Group {
+    id: String,
+    agents: usize,
+    text: String,
+    first: u32,
+}
+
+/// A leaf name across all programs.
+#[derive(Clone, Debug, Serialize)]
+struct Behaviour {
+    name: &'static str,
+    /// Agents whose program has it.
+    agents: usize,
+    /// Agents that ticked it in the last step.
+    ticked: usize,
+    /// Agents for which it returned SUCCESS in the last step.
+    succeeded: usize,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Agent {
+    id: u32,
+    x: f64,
+    y: f64,
+    heading: f64,
+    carrying: bool,
+    alive: bool,
+    knows: Vec<&'static str>,
+    inside: Vec<&'static str>,
+    fitness: f64,
+    diversity: f64,
+    exploration: usize,
+    feedback: i32,
+    since_swap: u32,
+    swaps: u32,
+    stored: Vec<Stored>,
+    last_action: Option<String>,
+    genome: Vec<u16>,
+    used: u16,
+    program: String,
+    /// The program that will run next, when it replaced the shown one in the last step.
+    replaced_by: Option<String>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct Stored {
+    donor: u32,
+    fitness: f64,
+    diversity: f64,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct ShownTree {
+    program: String,
+    text: String,
+    agents: Vec<u32>,
+    nodes: Vec<ShownNode>,
+}
+
+/// A node as the page draws it.
+#[derive(Clone, Debug, Serialize)]
+pub struct ShownNode {
+    id: u32,
+    parent: Option<u32>,
+    end: u32,
+    kind: &'static str,
+    label: String,
+    tag: Option<&'static str>,
+    negated: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    status: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reached_now: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reached_recently: Option<f64>,
+}
+
+/// How many programs the list shows.
+const TOP: usize = 12;
+/// "Recently" is within so many steps.
+const RECENT: u32 = 50;
+
+/// A program's id as the page shows it.
+fn hex(id: u64) -> String {
+    format!("{id:016x}")
+}
+
+/// The nodes of a tree without statuses.
+#[must_use]
+pub fn shown_nodes(tree: &Tree<Leaf>) -> Vec<ShownNode> {
+    let parents = tree.parents();
+    let nodes = tree.nodes().iter().zip(parents).enumerate();
+    nodes
+        .map(|(id, (node, parent))| {
+            let (label, tag, negated) = match &node.kind {
+                Kind::Leaf(leaf) => (leaf.to_string(), (leaf.tag != Tag::None).then(|| leaf.tag.text()), leaf.negated),
+                kind => (kind.name().to_owned(), None, false),
+            };
+            ShownNode {
+                id: id as u32,
+                parent: parent.map(|node| node.0),
+                end: node.end,
+                kind: node.kind.name(),
+                label,
+                tag,
+                negated,
+                status: None,
+                reached_now: None,
+                reached_recently: None,
+            }
+        })
+        .collect()
+}
+
+impl Detail {
+    /// Answers `query` for the present state of `world`.
+    ///
+    /// An agent or program that does not exist gives `None` in its place; a program that nobody runs any more too.
+    #[must_use]
+    pub fn of(world: &mut World, query: &Query) -> Self {
+        let names: Vec<Name> = world.compiler().vocabulary().collect();
+        let state = world.state();
+        let (count, groups) = groups(state);
+        let agent = query.agent.filter(|&id| (id as usize) < state.minds.len());
+        let program = match (agent, &query.program) {
+            (Some(id), _) => Some(state.minds[id as usize].ran(state.tick).id),
+            (None, Some(id)) => u64::from_str_radix(id, 16).ok(),
+            (None, None) => groups.first().map(|group| group.0),
+        };
+        let held: Vec<u32> = (0..state.minds.len() as u32)
+            .filter(|&id| program == Some(state.minds[id as usize].ran(state.tick).id))
+            .collect();
+        let shown = agent.map_or_else(|| held.clone(), |id| vec![id]);
+        let tree = held.first().map(|_| shown_tree(state, &held, &shown, agent.is_some()));
+        let reached = query.node.zip(tree.as_ref()).map(|(node, _)| {
+            held.iter().copied().filter(|&id| was_reached(state, &state.minds[id as usize], node)).collect()
+        });
+        Self {
+            tick: state.tick,
+            programs: Programs { count, top: groups.into_iter().take(TOP).map(|group| group.1).collect() },
+            behaviours: behaviours(state, &names),
+            agent: agent.map(|id| shown_agent(state, id)),
+            tree,
+            reached,
+        }
+    }
+}
+
+fn was_reached(state: &State, mind: &Mind, node: u32) -> bool {
+    let trace = mind.ran(state.tick).trace.get(node as usize);
+    state.tick > 0 && trace.is_some_and(|trace| trace.tick == state.tick)
+}
+
+/// The number of distinct programs and the largest groups, largest first; of equal ones the one whose first agent
+/// has the smallest number.
+fn groups(state: &State) -> (usize, Vec<(u64, Group)>) {
+    let mut ids: Vec<(u64, u32)> =
+        state.minds.iter().enumerate().map(|(id, mind)| (mind.ran(state.tick).id, id as u32)).collect();
+    ids.sort_unstable();
+    let mut groups: Vec<(u64, u32, usize)> = Vec::new();
+    for (program, agent) in ids {
+        match groups.last_mut() {
+            Some(group) if group.0 == program => group.2 += 1,
+            _ => groups.push((program, agent, 1)),
+        }
+    }
+    groups.sort_by_key(|&(_, first, agents)| (usize::MAX - agents, first));
+    let count = groups.len();
+    groups.truncate(TOP);
+    let shown = groups.into_iter().map(|(program, first, agents)| {
+        let text = program_text(&state.minds[first as usize].ran(state.tick).tree);
+        (program, Group { id: hex(program), agents, text, first })
+    });
+    (count, shown.collect())
+}
+
+fn behaviours(state: &State, names: &[Name]) -> Vec<Behaviour> {
+    let mut counts = vec![[0_usize; 3]; Name::ALL.len()];
+    for mind in &state.minds {
+        let program = mind.ran(state.tick);
+        let mut seen = [[false; 3]; Name::ALL.len()];
+        for (node, trace) in program.tree.nodes().iter().zip(&program.trace) {
+            let Kind::Leaf(leaf) = &node.kind else { continue };
+            let now = state.tick > 0 && trace.tick == state.tick;
+            let flags = &mut seen[leaf.name as usize];
+            flags[0] = true;
+            flags[1] |= now;
+            flags[2] |= now && trace.status == crate::bt::Status::Success;
+        }
+        for (count, flags) in counts.iter_mut().zip(seen) {
+            for (count, flag) in count.iter_mut().zip(flags) {
+                *count += usize::from(flag);
+            }
+        }
+    }
+    let shown = names.iter().map(|&name| {
+        let [agents, ticked, succeeded] = counts[name as usize];
+        Behaviour { name: name.text(), agents, ticked, succeeded }
+    });
+    shown.collect()
+}
+
+fn shown_agent(state: &State, id: u32) -> Agent {
+    let (body, mind) = (&state.bodies[id as usize], &state.minds[id as usize]);
+    let position = state.field.agents.point(id);
+    let places = [(Object::Hub, state.field.hub), (Object::Sites, state.field.site)];
+    let known = [(Object::Hub, true), (Object::Sites, body.knows_site)];
+    let ran = mind.ran(state.tick);
+    Agent {
+        id,
+        x: position[0],
+        y: position[1],
+        heading: libm::atan2(body.heading[1], body.heading[0]),
+        carrying: body.load.is_some(),
+        alive: true,
+        knows: known.iter().filter(|place| place.1).map(|place| place.0.text()).collect(),
+        inside: places.iter().filter(|place| place.1.contains(position)).map(|place| place.0.text()).collect(),
+        fitness: mind.fitness,
+        diversity: mind.diversity,
+        exploration: mind.visited.count(),
+        feedback: mind.feedback,
+        since_swap: state.tick - mind.since,
+        swaps: mind.swaps,
+        stored: mind
+            .storage
+            .entries()
+            .iter()
+            .map(|entry| Stored { donor: entry.donor, fitness: entry.fitness, diversity: entry.diversity })
+            .collect(),
+        last_action: body.last_action.map(|leaf| leaf.to_string()),
+        genome: mind.genome.codons.clone(),
+        used: mind.genome.used,
+        program: hex(ran.id),
+        replaced_by: mind.was_replaced(state.tick).then(|| program_text(&mind.program.tree)),
+    }
+}
+
+/// The tree of the agents `held`, with the trace of the agents `shown` (one of them, or all).
+fn shown_tree(state: &State, held: &[u32], shown: &[u32], with_status: bool) -> ShownTree {
+    let program = state.minds[held[0] as usize].ran(state.tick);
+    let mut nodes = shown_nodes(&program.tree);
+    let traces: Vec<&[Trace]> =
+        shown.iter().map(|&id| state.minds[id as usize].ran(state.tick).trace.as_slice()).collect();
+    for (index, node) in nodes.iter_mut().enumerate() {
+        let within = |steps: u32| {
+            let reached =
+                traces.iter().filter(|trace| trace[index].tick > 0 && trace[index].tick + steps > state.tick);
+            reached.count() as f64 / traces.len() as f64
+        };
+        node.reached_now = Some(within(1));
+        node.reached_recently = Some(within(RECENT));
+        node.status = with_status.then(|| {
+            let trace = traces[0][index];
+            if trace.tick == state.tick { trace.status.name() } else { crate::bt::Status::Idle.name() }
+        });
+    }
+    ShownTree { program: hex(program.id), text: program_text(&program.tree), agents: held.to_vec(), nodes }
+}

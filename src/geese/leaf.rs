@@ -1,0 +1,199 @@
+//! The leaves of an agent's tree: conditions and primitive behaviours, with their arguments.
+
+use std::fmt;
+
+/// What a leaf does; its number is its bit in a set of names, part of no fingerprint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Name {
+    /// Something of the argument's kind is sensed now.
+    NeighbourObjects,
+    /// The agent has sensed the place before.
+    IsVisitedBefore,
+    /// The agent carries the item.
+    IsCarrying,
+    /// A free item is within reach.
+    IsCarryable,
+    /// The agent stands where the place accepts drops.
+    IsDropable,
+    /// The agent is alive.
+    CanMove,
+    /// Always SUCCESS.
+    DummyNode,
+    /// One move towards a known place.
+    MoveTowards,
+    /// One move away from a sensed place.
+    MoveAway,
+    /// One move in a direction of its own.
+    Explore,
+    /// Picks up an item.
+    CompositeSingleCarry,
+    /// Puts down what is carried.
+    CompositeDrop,
+}
+
+/// What a name takes after it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Takes {
+    /// Nothing.
+    Nothing,
+    /// A place.
+    Place,
+    /// A kind of item.
+    Item,
+    /// Either.
+    Object,
+}
+
+impl Name {
+    /// Every name, in the order of their numbers.
+    pub const ALL: [Self; 12] = [
+        Self::NeighbourObjects,
+        Self::IsVisitedBefore,
+        Self::IsCarrying,
+        Self::IsCarryable,
+        Self::IsDropable,
+        Self::CanMove,
+        Self::DummyNode,
+        Self::MoveTowards,
+        Self::MoveAway,
+        Self::Explore,
+        Self::CompositeSingleCarry,
+        Self::CompositeDrop,
+    ];
+
+    /// The name as the paper writes it.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::NeighbourObjects => "NeighbourObjects",
+            Self::IsVisitedBefore => "IsVisitedBefore",
+            Self::IsCarrying => "IsCarrying",
+            Self::IsCarryable => "IsCarryable",
+            Self::IsDropable => "IsDropable",
+            Self::CanMove => "CanMove",
+            Self::DummyNode => "DummyNode",
+            Self::MoveTowards => "MoveTowards",
+            Self::MoveAway => "MoveAway",
+            Self::Explore => "Explore",
+            Self::CompositeSingleCarry => "CompositeSingleCarry",
+            Self::CompositeDrop => "CompositeDrop",
+        }
+    }
+
+    /// What the name takes.
+    #[must_use]
+    pub fn takes(self) -> Takes {
+        match self {
+            Self::NeighbourObjects => Takes::Object,
+            Self::IsVisitedBefore | Self::IsDropable | Self::MoveTowards | Self::MoveAway => Takes::Place,
+            Self::IsCarrying | Self::IsCarryable | Self::CompositeSingleCarry | Self::CompositeDrop => Takes::Item,
+            Self::CanMove | Self::DummyNode | Self::Explore => Takes::Nothing,
+        }
+    }
+
+    /// True for the primitive behaviours, false for conditions.
+    #[must_use]
+    pub fn is_action(self) -> bool {
+        self >= Self::MoveTowards
+    }
+
+    /// The name's bit in a set of names. `DummyNode` has none: it does not count for diversity.
+    #[must_use]
+    pub fn bit(self) -> u16 {
+        if self == Self::DummyNode { 0 } else { 1 << self as u16 }
+    }
+}
+
+/// What a leaf is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Object {
+    /// For names that take nothing.
+    Nothing,
+    /// The nest at the origin.
+    Hub,
+    /// Where food lies at the start.
+    Sites,
+    /// The item of the foraging task.
+    Food,
+}
+
+impl Object {
+    /// Every argument a grammar may name.
+    pub const ALL: [Self; 3] = [Self::Hub, Self::Sites, Self::Food];
+
+    /// The argument as the paper writes it; empty for [`Object::Nothing`].
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Nothing => "",
+            Self::Hub => "Hub",
+            Self::Sites => "Sites",
+            Self::Food => "Food",
+        }
+    }
+}
+
+/// The part of a PPA structure that a leaf plays; only the feedback fitness reads it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Tag {
+    /// No part.
+    None,
+    /// A condition of a nominal tree.
+    Cond,
+    /// A precondition.
+    Pre,
+    /// A constraint.
+    Con,
+    /// A postcondition.
+    Post,
+    /// An action.
+    Act,
+}
+
+impl Tag {
+    /// Every tag a grammar may write.
+    pub const ALL: [Self; 5] = [Self::Cond, Self::Pre, Self::Con, Self::Post, Self::Act];
+
+    /// The tag as grammars write it; empty for [`Tag::None`].
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::None => "",
+            Self::Cond => "Cond",
+            Self::Pre => "Pre",
+            Self::Con => "Con",
+            Self::Post => "Post",
+            Self::Act => "Act",
+        }
+    }
+}
+
+/// A leaf of an agent's tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Leaf {
+    /// What it does.
+    pub name: Name,
+    /// What it is about.
+    pub object: Object,
+    /// Its part in the PPA structure.
+    pub tag: Tag,
+    /// Whether the status is turned round ("not").
+    pub negated: bool,
+}
+
+impl Leaf {
+    /// A number that tells the leaf from every other, for hashes.
+    #[must_use]
+    pub fn number(self) -> u64 {
+        self.name as u64 | (self.object as u64) << 8 | (self.tag as u64) << 16 | u64::from(self.negated) << 24
+    }
+}
+
+impl fmt::Display for Leaf {
+    /// The leaf without its tag, such as `not IsCarrying Food`.
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let not = if self.negated { "not " } else { "" };
+        let gap = if self.object == Object::Nothing { "" } else { " " };
+        write!(out, "{not}{}{gap}{}", self.name.text(), self.object.text())
+    }
+}

@@ -1,0 +1,234 @@
+//! An agent's controller and all that evolution needs of it: genome, program, fitness and stored genomes.
+
+use super::leaf::{Leaf, Tag};
+use crate::bt::{Kind, Memory, NodeId, Recorder, Status, Tree};
+use crate::evolution::Genome;
+use crate::fingerprint::Fingerprint;
+use crate::random::Stream;
+
+/// What a node of the program last returned, and in which step (0: never).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Trace {
+    /// The status.
+    pub status: Status,
+    /// The step.
+    pub tick: u32,
+}
+
+/// A tree with its memory and the trace of its nodes.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The tree.
+    pub tree: Tree<Leaf>,
+    /// What the tree remembers between ticks.
+    pub memory: Memory,
+    /// One trace for each node.
+    pub trace: Vec<Trace>,
+    /// Equal for equal trees.
+    pub id: u64,
+}
+
+impl Program {
+    /// Fits memory and trace to a tree that was just built.
+    pub fn renew(&mut self) {
+        self.memory.fit(&self.tree);
+        self.trace.clear();
+        self.trace.resize(self.tree.nodes().len(), Trace::default());
+        self.id = super::program::program_id(&self.tree);
+    }
+}
+
+/// The controller of one agent.
+#[derive(Clone, Debug)]
+pub struct Mind {
+    /// The genome of the program.
+    pub genome: Genome,
+    /// The program that will be ticked next.
+    pub program: Program,
+    /// The program before it; shown when it was replaced in the last step.
+    pub replaced: Program,
+    /// The step in which the program was taken up; 0 at the start.
+    pub since: u32,
+    /// How many times the program was replaced.
+    pub swaps: u32,
+    /// Diversity D of the program.
+    pub diversity: f64,
+    /// Run-time fitness A.
+    pub fitness: f64,
+    /// Feedback B of the last step.
+    pub feedback: i32,
+    /// Squares visited since the program was taken up; their number is exploration E.
+    pub visited: Visited,
+    /// Genomes of other agents.
+    pub storage: Storage,
+    /// The agent's own stream for exchange and breeding.
+    pub evolution: Stream,
+}
+
+impl Mind {
+    /// The program that was ticked in step `tick`.
+    #[must_use]
+    pub fn ran(&self, tick: u32) -> &Program {
+        if self.was_replaced(tick) { &self.replaced } else { &self.program }
+    }
+
+    /// Whether the program was replaced in step `tick`, after it was ticked.
+    #[must_use]
+    pub fn was_replaced(&self, tick: u32) -> bool {
+        tick > 0 && self.since == tick
+    }
+
+    /// Feeds everything that decides what the agent does next.
+    pub fn hash(&self, hash: &mut Fingerprint) {
+        self.genome.hash(hash);
+        hash.u64(self.program.id);
+        hash.u32(self.since);
+        hash.u32(self.swaps);
+        hash.f64(self.diversity);
+        hash.f64(self.fitness);
+        self.visited.squares.iter().for_each(|&square| hash.u32(square));
+        for entry in self.storage.entries() {
+            hash.u32(entry.donor);
+            hash.f64(entry.fitness);
+            hash.f64(entry.diversity);
+            entry.genome.hash(hash);
+        }
+        hash.stream(&self.evolution);
+    }
+}
+
+/// Unit squares of the arena that were visited.
+#[derive(Clone, Debug)]
+pub struct Visited {
+    side: u32,
+    bits: Vec<u64>,
+    /// In the order of the first visit.
+    squares: Vec<u32>,
+}
+
+impl Visited {
+    /// None visited yet; the arena has `side` squares along each side.
+    #[must_use]
+    pub fn new(side: u32) -> Self {
+        Self { side, bits: vec![0; (side * side).div_ceil(64) as usize], squares: Vec::new() }
+    }
+
+    /// Marks the square of a point of the arena `[-side / 2, side / 2]` squared.
+    pub fn mark(&mut self, point: [f64; 2]) {
+        let [column, row] = point.map(|value| ((value + f64::from(self.side) / 2.0) as u32).min(self.side - 1));
+        let square = row * self.side + column;
+        let word = &mut self.bits[(square / 64) as usize];
+        let bit = 1 << (square % 64);
+        if *word & bit == 0 {
+            *word |= bit;
+            self.squares.push(square);
+        }
+    }
+
+    /// How many squares were visited.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.squares.len()
+    }
+
+    /// Forgets all; costs only what was visited.
+    pub fn clear(&mut self) {
+        for square in self.squares.drain(..) {
+            self.bits[(square / 64) as usize] = 0;
+        }
+    }
+
+    /// Bytes on the heap.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.bits.len() * 8 + self.squares.capacity() * 4
+    }
+}
+
+/// A copy of another agent's genome, with what it was worth when it was taken.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Whose genome it is.
+    pub donor: u32,
+    /// Run-time fitness A of the donor.
+    pub fitness: f64,
+    /// Diversity D of the donor.
+    pub diversity: f64,
+    /// The genome.
+    pub genome: Genome,
+}
+
+/// The genomes an agent has collected: at most one of each donor, in the order of first arrival.
+///
+/// Emptied entries keep their memory for later ones.
+#[derive(Clone, Debug, Default)]
+pub struct Storage {
+    entries: Vec<Entry>,
+    filled: usize,
+}
+
+impl Storage {
+    /// What is stored.
+    #[must_use]
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries[..self.filled]
+    }
+
+    /// Stores a copy in place of the donor's older one, or (`again`) besides it.
+    pub fn store(&mut self, donor: u32, mind: &Mind, again: bool) {
+        let older = self.entries().iter().position(|entry| !again && entry.donor == donor);
+        let at = older.unwrap_or(self.filled);
+        self.filled += usize::from(older.is_none());
+        let Mind { fitness, diversity, ref genome, .. } = *mind;
+        if let Some(entry) = self.entries.get_mut(at) {
+            (entry.donor, entry.fitness, entry.diversity) = (donor, fitness, diversity);
+            entry.genome.clone_from(genome);
+        } else {
+            self.entries.push(Entry { donor, fitness, diversity, genome: genome.clone() });
+        }
+    }
+
+    /// Empties the storage.
+    pub fn clear(&mut self) {
+        self.filled = 0;
+    }
+
+    /// Bytes on the heap.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.entries.iter().map(|entry| size_of::<Entry>() + entry.genome.codons.capacity() * 2).sum()
+    }
+}
+
+/// Sums the feedback fitness of one tick and notes each node's status for display.
+///
+/// B: +1 for each postcondition that returns SUCCESS, -2 for each constraint that returns FAILURE, +1 when the root
+/// is a selector and returns SUCCESS. Nodes that are not ticked count 0.
+///
+/// Source: BeTr-GEESE, section 4.6.
+pub struct Feedback<'a> {
+    tree: &'a Tree<Leaf>,
+    trace: &'a mut [Trace],
+    tick: u32,
+    /// The sum.
+    pub sum: i32,
+}
+
+impl<'a> Feedback<'a> {
+    /// Begins step `tick`; `trace` has one place for each node of `tree`.
+    pub fn new(tree: &'a Tree<Leaf>, trace: &'a mut [Trace], tick: u32) -> Self {
+        Self { tree, trace, tick, sum: 0 }
+    }
+}
+
+impl Recorder for Feedback<'_> {
+    fn returned(&mut self, node: NodeId, status: Status) {
+        self.trace[node.index()] = Trace { status, tick: self.tick };
+        self.sum += match (&self.tree.nodes()[node.index()].kind, status) {
+            (Kind::Leaf(Leaf { tag: Tag::Post, .. }), Status::Success) => 1,
+            (Kind::Leaf(Leaf { tag: Tag::Con, .. }), Status::Failure) => -2,
+            (Kind::Fallback, Status::Success) if node == NodeId(0) => 1,
+            _ => 0,
+        };
+    }
+}

@@ -1,0 +1,34 @@
+//! The grid world in which a swarm forages while each agent evolves its own behaviour tree (BeTr-GEESE).
+//!
+//! Paper: BeTr-GEESE, Cells2Societies workshop, ICLR 2022. Each agent carries a genome; a grammar maps it to a tree;
+//! agents that meet exchange genomes; one with enough of them breeds and takes up the most diverse child.
+//!
+//! Where the paper is silent, the choice stands in the doc comment of the code that makes it and in the `source` of
+//! the parameter that changes it.
+
+mod body;
+mod breeding;
+mod derive;
+mod field;
+mod frame;
+mod grid;
+mod inspect;
+mod language;
+mod leaf;
+mod mind;
+mod params;
+mod program;
+mod schema;
+mod world;
+
+pub use derive::{Derived, DerivedStep};
+pub use frame::{Layout, fill_frame};
+pub use inspect::{Detail, Query};
+pub use language::LanguageError;
+pub use leaf::{Leaf, Name, Object, Tag, Takes};
+pub use params::{
+    DropRule, ExploreHeading, IsDropable, MovesPerStep, MutationMode, ParentSelection, Params, StorageContent, SwapRule,
+};
+pub use program::{Compiler, CompilerError, Survey, program_text};
+pub use schema::{GRAMMAR, PARAMETERS};
+pub use world::{Finished, Outcome, SAMPLE_EVERY, Sample, State, World};

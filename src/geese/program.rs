@@ -1,0 +1,272 @@
+//! From a genome to an agent's program: the survey of a child, and the tree of a winner.
+
+use super::language::{Language, LanguageError, Token};
+use super::leaf::{Leaf, Name, Object, Tag};
+use crate::bt::{Builder, Kind, Tree};
+use crate::evolution::{
+    AlternativeId, Derivation, Genome, Grammar, GrammarError, Invalid, Limits, Mapper, RuleId, Symbol, TerminalId,
+};
+use crate::fingerprint::Fingerprint;
+use std::fmt;
+
+/// Why a text is no grammar of agent programs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CompilerError {
+    /// It is no grammar.
+    Grammar(GrammarError),
+    /// Its sentences are no trees.
+    Language(LanguageError),
+}
+
+impl fmt::Display for CompilerError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Grammar(error) => error.fmt(out),
+            Self::Language(error) => error.fmt(out),
+        }
+    }
+}
+
+impl std::error::Error for CompilerError {}
+
+/// Turns genomes into programs of one grammar. Reuses its memory: surveys and compiles allocate nothing once warm.
+#[derive(Clone, Debug)]
+pub struct Compiler {
+    grammar: Grammar,
+    language: Language,
+    mapper: Mapper,
+    limits: Limits,
+    /// For each alternative, the names that its own text brings.
+    names: Vec<u16>,
+    /// All names of the grammar.
+    vocabulary: u16,
+    tokens: Vec<Token>,
+    builder: Builder<Leaf>,
+}
+
+/// What a child is judged by, found without building its tree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Survey {
+    /// Codons used.
+    pub used: u16,
+    /// The set of leaf names, as bits of [`Name::bit`].
+    pub names: u16,
+}
+
+impl Compiler {
+    /// Reads a grammar and its language.
+    ///
+    /// - `limits`: of every mapping.
+    ///
+    /// # Errors
+    /// The first fault of the text, with line and column.
+    pub fn new(text: &str, limits: Limits) -> Result<Self, CompilerError> {
+        let grammar = Grammar::parse(text).map_err(CompilerError::Grammar)?;
+        let language = Language::of(&grammar).map_err(CompilerError::Language)?;
+        let mut names = Vec::new();
+        for rule in (0..grammar.rule_count()).map(RuleId) {
+            for alternative in grammar.alternatives(rule) {
+                let bits = grammar.symbols(alternative).iter().map(|(symbol, _)| match symbol {
+                    Symbol::NonTerminal(_) => 0,
+                    Symbol::Terminal(terminal) => language.tokens[usize::from(terminal.0)]
+                        .iter()
+                        .map(|token| if let Token::Name(name) = token { name.bit() } else { 0 })
+                        .fold(0, |set, bit| set | bit),
+                });
+                names.push(bits.fold(0, |set, bit| set | bit));
+            }
+        }
+        let vocabulary = names.iter().fold(0, |set, bits| set | bits);
+        let mapper = Mapper::new(&grammar);
+        let (tokens, builder) = (Vec::new(), Builder::default());
+        Ok(Self { grammar, language, mapper, limits, names, vocabulary, tokens, builder })
+    }
+
+    /// The grammar.
+    #[must_use]
+    pub fn grammar(&self) -> &Grammar {
+        &self.grammar
+    }
+
+    /// The tokens of each terminal of the grammar.
+    #[must_use]
+    pub fn tokens_of_terminals(&self) -> &[Vec<Token>] {
+        &self.language.tokens
+    }
+
+    /// The limits of every mapping.
+    #[must_use]
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// The leaf names of the grammar, in the order of [`Name::ALL`]; `DummyNode` is not among them.
+    pub fn vocabulary(&self) -> impl Iterator<Item = Name> + use<> {
+        let vocabulary = self.vocabulary;
+        Name::ALL.into_iter().filter(move |name| name.bit() & vocabulary != 0)
+    }
+
+    /// Diversity D: distinct leaf names over the names of the grammar; in [0, 1].
+    ///
+    /// Source: BeTr-GEESE, section 4.1, "the total number of unique behaviors nodes divided by the total behaviors
+    /// defined in the grammar". `DummyNode` does nothing and is not counted.
+    #[must_use]
+    pub fn diversity(&self, names: u16) -> f64 {
+        f64::from(names.count_ones()) / f64::from(self.vocabulary.count_ones().max(1))
+    }
+
+    /// Maps without building.
+    ///
+    /// # Errors
+    /// The genome maps to no program.
+    pub fn survey(&mut self, codons: &[u16]) -> Result<Survey, Invalid> {
+        let mut names = NameSet { of_alternative: &self.names, set: 0 };
+        let mapped = self.mapper.map(codons, self.limits, &mut names)?;
+        // More than 65,535 codons can only be used through wraps; the count then only says "all of them".
+        Ok(Survey { used: u16::try_from(mapped.used).unwrap_or(u16::MAX), names: names.set })
+    }
+
+    /// Surveys a genome and notes its used codons, 0 when it maps to no program.
+    pub fn survey_genome(&mut self, genome: &mut Genome) -> Option<Survey> {
+        let survey = self.survey(&genome.codons).ok();
+        genome.used = survey.map_or(0, |survey| survey.used);
+        survey
+    }
+
+    /// Builds the tree of a genome into `tree`, whose memory is used again.
+    ///
+    /// # Errors
+    /// The genome maps to no program; `tree` stays as it was.
+    pub fn compile(&mut self, codons: &[u16], tree: &mut Tree<Leaf>) -> Result<(), Invalid> {
+        self.tokens.clear();
+        let mut writer = Writer { of_terminal: &self.language.tokens, tokens: &mut self.tokens };
+        self.mapper.map(codons, self.limits, &mut writer)?;
+        build(&self.tokens, &mut self.builder, tree);
+        Ok(())
+    }
+}
+
+struct NameSet<'a> {
+    of_alternative: &'a [u16],
+    set: u16,
+}
+
+impl Derivation for NameSet<'_> {
+    const TERMINALS: bool = false;
+
+    fn expand(&mut self, _rule: RuleId, alternative: AlternativeId, _codon: u16, _depth: u32) {
+        self.set |= self.of_alternative[usize::from(alternative.0)];
+    }
+}
+
+struct Writer<'a> {
+    of_terminal: &'a [Vec<Token>],
+    tokens: &'a mut Vec<Token>,
+}
+
+impl Derivation for Writer<'_> {
+    const TERMINALS: bool = true;
+
+    fn expand(&mut self, _rule: RuleId, _alternative: AlternativeId, _codon: u16, _depth: u32) {}
+
+    fn terminal(&mut self, terminal: TerminalId) {
+        self.tokens.extend_from_slice(&self.of_terminal[usize::from(terminal.0)]);
+    }
+}
+
+/// Whether `tokens` write several nodes at the top, which then stand under a Sequence.
+#[must_use]
+pub fn needs_root(tokens: &[Token]) -> bool {
+    let (mut tops, mut nested) = (0, 0);
+    for token in tokens {
+        match token {
+            Token::Sequence | Token::Selector | Token::OpenTag(_) => {
+                tops += u32::from(nested == 0);
+                nested += 1;
+            }
+            Token::Name(_) => tops += u32::from(nested == 0),
+            Token::CloseNode | Token::CloseTag => nested -= 1,
+            Token::Not | Token::Object(_) => {}
+        }
+    }
+    tops > 1
+}
+
+/// A tree of one leaf that does nothing, to be overwritten.
+#[must_use]
+pub fn placeholder() -> Tree<Leaf> {
+    let mut builder = Builder::default();
+    builder.leaf(Leaf { name: Name::DummyNode, object: Object::Nothing, tag: Tag::None, negated: false });
+    builder.finish().expect("a single leaf is a tree")
+}
+
+/// Builds the tree that `tokens` write. The language check made sure that they write one.
+fn build(tokens: &[Token], builder: &mut Builder<Leaf>, tree: &mut Tree<Leaf>) {
+    let root = needs_root(tokens);
+    if root {
+        builder.open(Kind::Sequence);
+    }
+    let mut leaf = Leaf { name: Name::DummyNode, object: Object::Nothing, tag: Tag::None, negated: false };
+    for (index, token) in tokens.iter().enumerate() {
+        match *token {
+            Token::Sequence => builder.open(Kind::Sequence),
+            Token::Selector => builder.open(Kind::Fallback),
+            Token::CloseNode => builder.close(),
+            Token::OpenTag(tag) => leaf.tag = tag,
+            Token::Not => leaf.negated = true,
+            Token::Name(name) => {
+                leaf.name = name;
+                if let Some(Token::Object(object)) = tokens.get(index + 1) {
+                    leaf.object = *object;
+                }
+                builder.leaf(leaf);
+                leaf = Leaf { object: Object::Nothing, negated: false, ..leaf };
+            }
+            Token::Object(_) => {}
+            Token::CloseTag => leaf.tag = Tag::None,
+        }
+    }
+    if root {
+        builder.close();
+    }
+    let built = builder.finish_into(tree);
+    debug_assert!(built.is_ok(), "the language check lets only trees through");
+}
+
+/// The program as one line, such as `Sel[Post(IsCarrying Food) Act(Explore)]`.
+#[must_use]
+pub fn program_text(tree: &Tree<Leaf>) -> String {
+    fn write(tree: &Tree<Leaf>, node: crate::bt::NodeId, text: &mut String) {
+        let open = match &tree.nodes()[node.index()].kind {
+            Kind::Leaf(leaf) if leaf.tag == Tag::None => return text.push_str(&leaf.to_string()),
+            Kind::Leaf(leaf) => return text.push_str(&format!("{}({leaf})", leaf.tag.text())),
+            Kind::Sequence => "Seq[",
+            Kind::Fallback => "Sel[",
+            other => other.name(),
+        };
+        text.push_str(open);
+        for (index, child) in tree.children(node).enumerate() {
+            text.push_str(if index == 0 { "" } else { " " });
+            write(tree, child, text);
+        }
+        text.push(']');
+    }
+    let mut text = String::new();
+    write(tree, crate::bt::NodeId(0), &mut text);
+    text
+}
+
+/// A number that equal programs share and different ones, for all practical purposes, do not.
+#[must_use]
+pub fn program_id(tree: &Tree<Leaf>) -> u64 {
+    let mut hash = Fingerprint::default();
+    for node in tree.nodes() {
+        let kind = match &node.kind {
+            Kind::Leaf(leaf) => 1 << 32 | leaf.number(),
+            Kind::Sequence => 2 << 32,
+            _ => 3 << 32,
+        };
+        hash.u64(kind | u64::from(node.end) << 40);
+    }
+    hash.finish()
+}

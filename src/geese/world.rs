@@ -1,0 +1,370 @@
+//! The world: a swarm that forages while every agent evolves its own program.
+
+use super::body::{Actor, Body};
+use super::breeding::{Best, Breeder, Source};
+use super::field::Field;
+use super::mind::{Feedback, Mind, Program, Storage, Visited};
+use super::params::{Params, StorageContent, SwapRule};
+use super::program::{Compiler, placeholder};
+use crate::bt::{Memory, tick_once};
+use crate::evolution::Genome;
+use crate::fingerprint::Fingerprint;
+use crate::random::{Purpose, Seed, Stream, stream};
+use rand::RngExt;
+use serde::Serialize;
+
+/// Steps between two samples of the history.
+pub const SAMPLE_EVERY: u32 = 20;
+
+/// A swarm in its arena.
+#[derive(Clone, Debug)]
+pub struct World {
+    params: Params,
+    breeder: Breeder,
+    near: Vec<u32>,
+    state: State,
+}
+
+/// Everything that changes from step to step: what a keyframe stores.
+#[derive(Clone, Debug)]
+pub struct State {
+    pub(super) tick: u32,
+    pub(super) field: Field,
+    pub(super) bodies: Vec<Body>,
+    pub(super) minds: Vec<Mind>,
+    activation: Stream,
+    order: Vec<u32>,
+    /// Programs replaced in the last step.
+    pub(super) swaps: u32,
+    /// Programs replaced since the last sample.
+    swaps_since_sample: u32,
+    history: Vec<Sample>,
+}
+
+/// The state of the task at one of the steps that are kept for charts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Sample {
+    /// Items delivered.
+    pub delivered: u32,
+    /// Items carried.
+    pub carrying: u32,
+    /// Distinct programs ticked in the step.
+    pub programs: u32,
+    /// Programs replaced since the sample before.
+    pub swaps: u32,
+}
+
+/// How a run stands, as results and the page show it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Outcome {
+    /// Items delivered.
+    pub delivered: u32,
+    /// All items.
+    pub items: u32,
+    /// Delivered over all.
+    pub share: f64,
+    /// Whether the share is above the success threshold.
+    pub success: bool,
+    /// Why the run ended; `None` while it can go on.
+    pub finished: Option<Finished>,
+}
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Finished {
+    /// All steps were made.
+    #[serde(rename = "tick limit")]
+    TickLimit,
+    /// Nothing is left to do.
+    #[serde(rename = "all food delivered")]
+    AllDelivered,
+}
+
+impl Finished {
+    /// The reason in words, as results and the page show it.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::TickLimit => "tick limit",
+            Self::AllDelivered => "all food delivered",
+        }
+    }
+}
+
+impl World {
+    /// Places everything and gives every agent a random program.
+    ///
+    /// # Errors
+    /// The field's name and what is wrong with it: parameters that do not fit together, or a grammar of which
+    /// random genomes give no program.
+    pub fn new(params: &Params, seed: Seed) -> Result<Self, (&'static str, String)> {
+        let mut breeder = Breeder::new(params.check()?, params);
+        let field = Field::new(params, &mut stream(seed, Purpose::Placement, 0));
+        let agents = 0..params.agents;
+        let bodies = agents.clone().map(|id| Body::new(stream(seed, Purpose::Walk, id))).collect();
+        let minds = agents
+            .map(|id| {
+                let genesis = stream(seed, Purpose::Genesis, id);
+                let evolution = stream(seed, Purpose::Evolution, id);
+                new_mind(&mut breeder, params, genesis, evolution).ok_or_else(|| {
+                    let message = "expected a grammar of which random genomes give programs, \
+                                   found one that gave none in 100,000 draws (try a greater max-depth)";
+                    ("grammar", message.to_owned())
+                })
+            })
+            .collect::<Result<_, _>>()?;
+        let mut state = State {
+            tick: 0,
+            field,
+            bodies,
+            minds,
+            activation: stream(seed, Purpose::Activation, 0),
+            order: (0..params.agents).collect(),
+            swaps: 0,
+            swaps_since_sample: 0,
+            history: Vec::new(),
+        };
+        state.sample();
+        Ok(Self { params: params.clone(), breeder, near: Vec::new(), state })
+    }
+
+    /// The parameters in force.
+    #[must_use]
+    pub fn params(&self) -> &Params {
+        &self.params
+    }
+
+    /// Changes live parameters; `params` has passed [`Params::check`] and differs in no other ones.
+    pub fn tune(&mut self, params: &Params) {
+        self.params.clone_from(params);
+        self.breeder.tune(params);
+    }
+
+    /// The compiler of this world's grammar.
+    pub fn compiler(&mut self) -> &mut Compiler {
+        &mut self.breeder.compiler
+    }
+
+    /// Everything that changes.
+    #[must_use]
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Goes back, or forward, to a state of this world.
+    pub fn restore(&mut self, state: &State) {
+        self.state.clone_from(state);
+    }
+
+    /// How the run stands.
+    #[must_use]
+    pub fn outcome(&self) -> Outcome {
+        let (delivered, items) = (self.state.field.delivered(), self.params.item_count());
+        let share = f64::from(delivered) / f64::from(items);
+        let finished = if delivered == items {
+            Some(Finished::AllDelivered)
+        } else {
+            (self.state.tick >= self.params.steps).then_some(Finished::TickLimit)
+        };
+        Outcome { delivered, items, share, success: share > self.params.success_threshold, finished }
+    }
+
+    /// One step: every agent, in an order shuffled anew, ticks its program, meets its neighbours and may breed.
+    /// Does nothing when the run has ended.
+    ///
+    /// Source: BeTr-GEESE, section 4.1. The paper calls the updates independent; the shuffle is our choice.
+    pub fn step(&mut self) {
+        if self.outcome().finished.is_some() {
+            return;
+        }
+        let Self { params, breeder, near, state } = self;
+        state.tick += 1;
+        state.swaps = 0;
+        for last in (1..state.order.len() as u32).rev() {
+            let other = state.activation.random_range(0..=last);
+            state.order.swap(last as usize, other as usize);
+        }
+        for turn in 0..state.order.len() {
+            let agent = state.order[turn];
+            state.tick_program(params, agent);
+            state.meet(params, breeder, near, agent);
+        }
+        state.swaps_since_sample += state.swaps;
+        if state.tick.is_multiple_of(SAMPLE_EVERY) {
+            state.sample();
+        }
+    }
+
+    /// The fingerprint of the whole state.
+    #[must_use]
+    pub fn fingerprint(&self) -> u64 {
+        let mut hash = Fingerprint::default();
+        let state = &self.state;
+        hash.u32(state.tick);
+        hash.stream(&state.activation);
+        state.order.iter().for_each(|&agent| hash.u32(agent));
+        state.field.hash(&mut hash);
+        for (id, (body, mind)) in state.bodies.iter().zip(&state.minds).enumerate() {
+            state.field.agents.point(id as u32).iter().for_each(|&value| hash.f64(value));
+            body.hash(&mut hash);
+            mind.hash(&mut hash);
+        }
+        hash.finish()
+    }
+}
+
+fn new_mind(breeder: &mut Breeder, params: &Params, mut genesis: Stream, evolution: Stream) -> Option<Mind> {
+    let mut genome = Genome::default();
+    let survey = breeder.genesis(params, &mut genesis, &mut genome)?;
+    let mut program = Program { tree: placeholder(), memory: Memory::default(), trace: Vec::new(), id: 0 };
+    breeder.compiler.compile(&genome.codons, &mut program.tree).ok()?;
+    program.renew();
+    Some(Mind {
+        genome,
+        replaced: program.clone(),
+        program,
+        since: 0,
+        swaps: 0,
+        diversity: breeder.compiler.diversity(survey.names),
+        fitness: 0.0,
+        feedback: 0,
+        visited: Visited::new(params.arena_size),
+        storage: Storage::default(),
+        evolution,
+    })
+}
+
+impl State {
+    /// Steps made so far.
+    #[must_use]
+    pub fn tick(&self) -> u32 {
+        self.tick
+    }
+
+    /// The samples so far: the first of tick 0, then one every [`SAMPLE_EVERY`] steps.
+    #[must_use]
+    pub fn history(&self) -> &[Sample] {
+        &self.history
+    }
+
+    /// Ticks the agent's program once and updates its fitness: `A = beta A + D + E + B`.
+    ///
+    /// Source: BeTr-GEESE, section 4.6, "Blending Fitness Types". E counts the distinct unit squares visited since the
+    /// program was taken up (our reading of "unique world locations").
+    fn tick_program(&mut self, params: &Params, agent: u32) {
+        let mind = &mut self.minds[agent as usize];
+        let Program { tree, memory, trace, .. } = &mut mind.program;
+        let mut feedback = Feedback::new(tree, trace, self.tick);
+        let mut actor = Actor::new(params, &mut self.field, &mut self.bodies[agent as usize], agent);
+        let ticked = tick_once(tree, memory, &mut actor, &mut feedback);
+        debug_assert!(ticked.is_ok(), "evolved trees have no node whose tick can fail");
+        mind.feedback = feedback.sum;
+        mind.visited.mark(self.field.agents.point(agent));
+        let exploration = mind.visited.count() as f64;
+        mind.fitness = params.fitness_memory * mind.fitness + (mind.diversity + exploration + f64::from(feedback.sum));
+    }
+
+    /// Sense, act and update: takes copies of the neighbours' genomes, and breeds when it has enough of them.
+    ///
+    /// Source: BeTr-GEESE, section 3. Neighbours are the agents within the sensing radius; the storage keeps the
+    /// newest genome of each, with its fitness at that moment (our choices).
+    fn meet(&mut self, params: &Params, breeder: &mut Breeder, near: &mut Vec<u32>, agent: u32) {
+        let place = self.field.agents.point(agent);
+        near.clear();
+        self.field.agents.near(place, params.sense_radius, |other, _| {
+            if other != agent {
+                near.push(other);
+            }
+        });
+        if near.is_empty() {
+            return;
+        }
+        // The grid's order depends on the history of moves; by number, it is the same however the search works.
+        near.sort_unstable();
+        let mind = &mut self.minds[agent as usize];
+        near.retain(|_| mind.evolution.random_bool(params.interaction_probability));
+        let again = params.storage_content == StorageContent::Meetings;
+        let entries = mind.storage.entries();
+        let replaced = entries.iter().filter(|entry| !again && near.binary_search(&entry.donor).is_ok()).count();
+        let stored = entries.len() + near.len() - replaced;
+        if stored > params.storage_threshold as usize {
+            self.evolve(params, breeder, near, agent);
+            return;
+        }
+        let mut storage = std::mem::take(&mut mind.storage);
+        for &donor in near.iter() {
+            storage.store(donor, &self.minds[donor as usize], again);
+        }
+        self.minds[agent as usize].storage = storage;
+    }
+
+    /// Breeds from the storage and those just met, and takes up the best child if the swap rule lets it.
+    fn evolve(&mut self, params: &Params, breeder: &mut Breeder, met: &[u32], agent: u32) {
+        let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
+        let mut rng = self.minds[agent as usize].evolution.clone();
+        let again = params.storage_content == StorageContent::Meetings;
+        let entries = storage.entries();
+        breeder.pool.clear();
+        breeder.pool.extend(entries.iter().enumerate().map(|(at, entry)| match met.binary_search(&entry.donor) {
+            Ok(_) if !again => Source::Met(entry.donor),
+            _ => Source::Stored(at as u32),
+        }));
+        let is_stored = |donor: u32| !again && entries.iter().any(|entry| entry.donor == donor);
+        breeder.pool.extend(met.iter().filter(|&&donor| !is_stored(donor)).map(|&donor| Source::Met(donor)));
+
+        let own = &self.minds[agent as usize];
+        let best = breeder.breed(params, &mut rng, own, storage.entries(), &self.minds);
+        storage.clear();
+        let mind = &mut self.minds[agent as usize];
+        let winner = best.filter(|best| match params.swap_rule {
+            SwapRule::Greater => best.diversity > mind.diversity,
+            SwapRule::NotSmaller => best.diversity >= mind.diversity,
+            SwapRule::Always => true,
+        });
+        if let Some(Best { genome, diversity }) = winner {
+            mind.genome.clone_from(genome);
+            mind.diversity = diversity;
+            mind.fitness = 0.0;
+            mind.visited.clear();
+            mind.since = self.tick;
+            mind.swaps += 1;
+            self.swaps += 1;
+            std::mem::swap(&mut mind.program, &mut mind.replaced);
+            let compiled = breeder.compiler.compile(&mind.genome.codons, &mut mind.program.tree);
+            debug_assert!(compiled.is_ok(), "the survey found the genome valid");
+            mind.program.renew();
+        }
+        mind.storage = storage;
+        mind.evolution = rng;
+    }
+
+    /// How many distinct programs were ticked in the last step.
+    #[must_use]
+    pub fn program_count(&self) -> u32 {
+        let mut ids: Vec<u64> = self.minds.iter().map(|mind| mind.ran(self.tick).id).collect();
+        ids.sort_unstable();
+        ids.dedup();
+        ids.len() as u32
+    }
+
+    fn sample(&mut self) {
+        let sample = Sample {
+            delivered: self.field.delivered(),
+            carrying: self.field.carried(),
+            programs: self.program_count(),
+            swaps: std::mem::take(&mut self.swaps_since_sample),
+        };
+        self.history.push(sample);
+    }
+
+    /// About how many bytes a copy takes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let program = |program: &Program| program.trace.len() * 64;
+        let mind = |mind: &Mind| {
+            let programs = program(&mind.program) + program(&mind.replaced);
+            size_of::<Mind>() + size_of::<Body>() + mind.visited.bytes() + mind.storage.bytes() + programs + 256
+        };
+        self.minds.iter().map(mind).sum::<usize>() + self.history.len() * size_of::<Sample>() + 8192
+    }
+}

@@ -1,0 +1,67 @@
+//! The one description of a run that the page, its links, the command line and the tests share.
+//!
+//! A scenario is JSON: `{"world": "geese", "seed": 42, "storage-threshold": 7}`. Fields that are left out have the
+//! defaults of the [`schema`]; presets in `scenarios/` give only what differs.
+
+mod read;
+mod run;
+mod timeline;
+
+pub use read::{ScenarioError, schema};
+pub use run::{Outcome, Run};
+pub use timeline::Timeline;
+
+use crate::geese;
+use crate::random::Seed;
+use serde_json::Value;
+
+/// A run, described completely: the same scenario gives the same states on every machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scenario {
+    /// A name for people; empty for a nameless one.
+    pub title: String,
+    /// One or two sentences on what to watch.
+    pub about: String,
+    /// The seed of every random stream.
+    pub seed: Seed,
+    /// The world and its parameters.
+    pub world: WorldParams,
+    /// Changes made while the run went on, in the order of their ticks.
+    pub events: Vec<Event>,
+}
+
+/// The worlds.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WorldParams {
+    /// A swarm that forages while it evolves.
+    Geese(geese::Params),
+}
+
+/// A live parameter changed before the step that follows `tick`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// The tick at which the change was made.
+    pub tick: u32,
+    /// The parameter's key, with its world: `geese.mutation-probability`.
+    pub key: String,
+    /// The new value.
+    pub value: Value,
+}
+
+impl WorldParams {
+    /// The world's name in a scenario, and the first part of its parameters' keys.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Geese(_) => "geese",
+        }
+    }
+
+    /// The number of steps after which a run ends.
+    #[must_use]
+    pub fn steps(&self) -> u32 {
+        match self {
+            Self::Geese(params) => params.steps,
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! A run: a world that follows a scenario, with its events.
+
+use super::read::apply;
+use super::{Event, Scenario, ScenarioError, WorldParams};
+use crate::geese;
+use serde::Serialize;
+use serde_json::Value;
+
+/// A world on its way through a scenario.
+#[derive(Clone, Debug)]
+pub struct Run {
+    scenario: Scenario,
+    /// The parameters in force, after the events so far.
+    params: WorldParams,
+    /// The first event that has not happened yet.
+    next_event: usize,
+    world: World,
+}
+
+#[derive(Clone, Debug)]
+enum World {
+    Geese(Box<geese::World>),
+}
+
+/// The state of a world at one tick, without what its scenario says.
+#[derive(Clone, Debug)]
+pub(super) enum State {
+    Geese(Box<geese::State>),
+}
+
+/// How a run stands; its fields are those of the world's own outcome.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Outcome {
+    /// Of the foraging swarm.
+    Geese(geese::Outcome),
+}
+
+impl Run {
+    /// Builds the world of a scenario, at tick 0.
+    ///
+    /// # Errors
+    /// The scenario's world cannot be built, for example because random genomes give no program of its grammar.
+    pub fn new(scenario: Scenario) -> Result<Self, ScenarioError> {
+        let world = match &scenario.world {
+            WorldParams::Geese(params) => geese::World::new(params, scenario.seed).map(Box::new).map(World::Geese),
+        };
+        let world = world.map_err(|(field, message)| ScenarioError { path: field.to_owned(), message })?;
+        Ok(Self { params: scenario.world.clone(), scenario, next_event: 0, world })
+    }
+
+    /// What the run follows, with the changes made so far.
+    #[must_use]
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// The foraging world, if that is what runs.
+    #[must_use]
+    pub fn geese(&self) -> Option<&geese::World> {
+        match &self.world {
+            World::Geese(world) => Some(world),
+        }
+    }
+
+    /// As [`Run::geese`], to ask what needs its compiler.
+    pub fn geese_mut(&mut self) -> Option<&mut geese::World> {
+        match &mut self.world {
+            World::Geese(world) => Some(world),
+        }
+    }
+
+    /// Steps made so far.
+    #[must_use]
+    pub fn tick(&self) -> u32 {
+        match &self.world {
+            World::Geese(world) => world.state().tick(),
+        }
+    }
+
+    /// How the run stands.
+    #[must_use]
+    pub fn outcome(&self) -> Outcome {
+        match &self.world {
+            World::Geese(world) => Outcome::Geese(world.outcome()),
+        }
+    }
+
+    /// Why the run ended, in words; `None` while it can go on.
+    #[must_use]
+    pub fn finished(&self) -> Option<&'static str> {
+        match self.outcome() {
+            Outcome::Geese(outcome) => outcome.finished.map(geese::Finished::text),
+        }
+    }
+
+    /// The fingerprint of the whole state.
+    #[must_use]
+    pub fn fingerprint(&self) -> u64 {
+        match &self.world {
+            World::Geese(world) => world.fingerprint(),
+        }
+    }
+
+    /// Makes up to `ticks` steps, events included; returns how many it made, fewer only when the run ended.
+    pub fn advance(&mut self, ticks: u32) -> u32 {
+        for done in 0..ticks {
+            if self.finished().is_some() {
+                return done;
+            }
+            self.apply_events();
+            match &mut self.world {
+                World::Geese(world) => world.step(),
+            }
+        }
+        ticks
+    }
+
+    /// Changes a live parameter now. The change becomes an event at this tick; later events are dropped, because
+    /// what they belonged to will not happen. Returns whether any was.
+    ///
+    /// # Errors
+    /// The key is unknown or needs a restart, or the value is not allowed; nothing changes then.
+    pub fn set(&mut self, key: &str, value: &Value) -> Result<bool, ScenarioError> {
+        let tick = self.tick();
+        let event = Event { tick, key: key.to_owned(), value: value.clone() };
+        let keep = self.scenario.events.partition_point(|event| event.tick <= tick);
+        let dropped = keep < self.scenario.events.len();
+        let mut events = self.scenario.events[..keep].to_vec();
+        // A slider that is dragged changes its mind many times in one tick: the last word counts.
+        events.retain(|other| other.tick < tick || other.key != key);
+        let mut params = self.params.clone();
+        for pending in events[self.next_event.min(events.len())..].iter().chain([&event]) {
+            params = apply(&params, pending)?;
+        }
+        events.push(event);
+        self.scenario.events = events;
+        Ok(dropped)
+    }
+
+    fn apply_events(&mut self) {
+        let tick = self.tick();
+        let before = self.next_event;
+        while let Some(event) = self.scenario.events.get(self.next_event).filter(|event| event.tick <= tick) {
+            // Every event was checked when it was read or set; one that fits no more changes nothing.
+            if let Ok(params) = apply(&self.params, event) {
+                self.params = params;
+            }
+            self.next_event += 1;
+        }
+        if self.next_event > before {
+            self.tune();
+        }
+    }
+
+    fn tune(&mut self) {
+        match (&mut self.world, &self.params) {
+            (World::Geese(world), WorldParams::Geese(params)) => world.tune(params),
+        }
+    }
+
+    /// The present state, for a keyframe.
+    pub(super) fn state(&self) -> State {
+        match &self.world {
+            World::Geese(world) => State::Geese(Box::new(world.state().clone())),
+        }
+    }
+
+    /// Goes to a state of this same run.
+    pub(super) fn restore(&mut self, state: &State) {
+        match (&mut self.world, state) {
+            (World::Geese(world), State::Geese(state)) => world.restore(state),
+        }
+        // Events at this very tick happen with the next step.
+        let tick = self.tick();
+        self.params = self.scenario.world.clone();
+        self.next_event = 0;
+        while let Some(event) = self.scenario.events.get(self.next_event).filter(|event| event.tick < tick) {
+            if let Ok(params) = apply(&self.params, event) {
+                self.params = params;
+            }
+            self.next_event += 1;
+        }
+        self.tune();
+    }
+}
+
+impl State {
+    pub(super) fn bytes(&self) -> usize {
+        match self {
+            Self::Geese(state) => state.bytes(),
+        }
+    }
+}

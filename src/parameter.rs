@@ -89,7 +89,7 @@ impl Kind {
             }
             Self::Float { min, hard_max, .. } => match value.as_f64() {
                 Some(real) if (*min..=*hard_max).contains(&real) => Ok(Value::from(real)),
-                _ => fault(format!("a number from {min} to {hard_max}{unit}")),
+                _ => fault(format!("a number from {} to {}{unit}", number(*min), number(*hard_max))),
             },
             Self::Choice(choices) => match value.as_str() {
                 Some(word) if choices.iter().any(|choice| choice.0 == word) => Ok(value.clone()),
@@ -105,6 +105,13 @@ impl Kind {
             },
         }
     }
+}
+
+/// A real number as messages show it, without a needless fraction.
+#[must_use]
+pub fn number(value: f64) -> String {
+    let text = Value::from(value).to_string();
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }
 
 /// A value as messages show it: JSON, cut to a readable length.

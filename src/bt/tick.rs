@@ -120,12 +120,7 @@ pub fn tick_once<L, H: Host<L>, R: Recorder>(
 }
 
 /// Halts the whole tree: RUNNING leaves are told, every node becomes IDLE.
-pub fn halt_tree<L, H: Host<L>, R: Recorder>(
-    tree: &Tree<L>,
-    memory: &mut Memory,
-    host: &mut H,
-    recorder: &mut R,
-) {
+pub fn halt_tree<L, H: Host<L>, R: Recorder>(tree: &Tree<L>, memory: &mut Memory, host: &mut H, recorder: &mut R) {
     Ticking { tree, memory, host, recorder }.halt_child(NodeId(0));
 }
 

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 pub struct Cases {
     schema: String,
     grammars: BTreeMap<String, String>,
-    cases: Vec<Case>,
+    #[serde(rename = "cases")]
+    list: Vec<Case>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -64,7 +65,7 @@ impl Cases {
             .map(|(name, text)| (name.as_str(), Grammar::parse(text).map_err(|error| error.to_string())))
             .collect();
         let verdict = |case: &Case| CaseVerdict { id: case.id.clone(), fault: case.run(&grammars).err() };
-        self.cases.iter().map(verdict).collect()
+        self.list.iter().map(verdict).collect()
     }
 }
 
@@ -86,10 +87,9 @@ impl Case {
         if self.max_wraps > MOST_WRAPS {
             return Err(format!("max_wraps: expected at most {MOST_WRAPS}, found {}", self.max_wraps));
         }
-        let limits =
-            Limits { max_wraps: self.max_wraps, max_depth: self.max_depth.unwrap_or(Limits::ANY_DEPTH) };
+        let limits = Limits { max_wraps: self.max_wraps, max_depth: self.max_depth.unwrap_or(Limits::ANY_DEPTH) };
         let mut phenotype = Phenotype::new(grammar);
-        let found = Mapper::new(grammar).map(&codons, limits, &mut phenotype);
+        let found = Mapper::new(grammar).map(codons.as_slice(), limits, &mut phenotype);
         let found = match found {
             Ok(Mapped { used, depth }) => (Some(phenotype.text), Some(used), Some(depth)),
             Err(_) => (None, None, None),

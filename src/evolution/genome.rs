@@ -40,7 +40,7 @@ impl Genome {
     }
 
     /// Feeds the codons and the used count.
-    pub fn hash(&self, hash: &mut Fingerprint) {
+    pub fn feed(&self, hash: &mut Fingerprint) {
         hash.u32(self.codons.len() as u32);
         for four in self.codons.chunks(4) {
             hash.u64(four.iter().fold(0, |word, &codon| word << 16 | u64::from(codon)));

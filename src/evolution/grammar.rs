@@ -4,7 +4,7 @@
 //! `<name>` is literal text. A line that begins with `|` continues the rule above; a line that begins with `#`
 //! is a comment.
 
-use std::collections::BTreeMap;
+use crate::nearest::nearest;
 use std::fmt;
 
 /// A rule, that is a non-terminal; 0 is the start symbol.
@@ -105,7 +105,9 @@ impl fmt::Display for GrammarError {
             ErrorKind::NoRule => write!(out, "expected at least one rule such as <start> ::= text, found none"),
             ErrorKind::ExpectedRule(found) => write!(out, "expected a rule that begins with <name>, found {found}"),
             ErrorKind::ExpectedDefinition(found) => write!(out, "expected ::= after the rule's name, found {found}"),
-            ErrorKind::UnclosedName => write!(out, "expected > to end the name that begins here, found the end of the line"),
+            ErrorKind::UnclosedName => {
+                write!(out, "expected > to end the name that begins here, found the end of the line")
+            }
             ErrorKind::EmptyName => write!(out, "expected a name between < and >, found none"),
             ErrorKind::EmptyAlternative => write!(out, "expected an alternative, found nothing"),
             ErrorKind::RepeatedRule(name, line) => {
@@ -125,7 +127,8 @@ impl fmt::Display for GrammarError {
 
 impl std::error::Error for GrammarError {}
 
-const MOST: usize = 10_000;
+/// The most rules, alternatives and different texts; names are looked up one by one.
+const MOST: usize = 2000;
 
 impl Grammar {
     /// Reads BNF text.
@@ -246,9 +249,15 @@ enum Raw {
     Text(String),
 }
 
+/// The symbols of an alternative, each with its place.
+type RawSymbols = Vec<(Raw, Place)>;
+
+/// A rule as read: its name and place, and its alternatives with theirs.
+type RawRule = (String, Place, Vec<(Place, RawSymbols)>);
+
 #[derive(Default)]
 struct Reader {
-    rules: Vec<(String, Place, Vec<(Place, Vec<(Raw, Place)>)>)>,
+    rules: Vec<RawRule>,
     alternatives: usize,
     last_line: u32,
 }
@@ -319,10 +328,8 @@ impl Reader {
             let place = Place { line: self.last_line.max(1), column: 1 };
             return Err(GrammarError { place, kind: ErrorKind::NoRule });
         }
-        let ids: BTreeMap<String, RuleId> =
-            self.rules.iter().enumerate().map(|(id, rule)| (rule.0.clone(), RuleId(id as u16))).collect();
+        let names: Vec<String> = self.rules.iter().map(|rule| rule.0.clone()).collect();
         let mut grammar = Grammar { rules: vec![], alternatives: vec![], symbols: vec![], terminals: vec![] };
-        let mut texts: BTreeMap<String, TerminalId> = BTreeMap::new();
         for (name, place, alternatives) in self.rules {
             let (first, count) = (grammar.alternatives.len() as u16, alternatives.len() as u16);
             grammar.rules.push(Rule { name, place, first, count, least_depth: 0 });
@@ -331,24 +338,23 @@ impl Reader {
                 grammar.alternatives.push(Alternative { first, count, place });
                 for (raw, place) in symbols {
                     let symbol = match raw {
-                        Raw::Name(name) => match ids.get(&name) {
-                            Some(&rule) => Symbol::NonTerminal(rule),
-                            None => {
-                                let near = crate::nearest::nearest(&name, ids.keys().map(String::as_str));
-                                let kind = ErrorKind::UndefinedRule(name, near.map(str::to_owned));
-                                return Err(GrammarError { place, kind });
-                            }
-                        },
+                        Raw::Name(name) => {
+                            let Some(rule) = names.iter().position(|other| *other == name) else {
+                                let near = nearest(&name, names.iter().map(String::as_str)).map(str::to_owned);
+                                return Err(GrammarError { place, kind: ErrorKind::UndefinedRule(name, near) });
+                            };
+                            Symbol::NonTerminal(RuleId(rule as u16))
+                        }
                         Raw::Text(text) => {
-                            let next = TerminalId(grammar.terminals.len() as u16);
-                            let id = *texts.entry(text.clone()).or_insert(next);
-                            if id == next {
-                                if grammar.terminals.len() == MOST {
-                                    return Err(GrammarError { place, kind: ErrorKind::TooLarge("texts", MOST) });
-                                }
+                            let known = grammar.terminals.iter().position(|other| *other == text);
+                            let id = known.unwrap_or(grammar.terminals.len());
+                            if id == MOST {
+                                return Err(GrammarError { place, kind: ErrorKind::TooLarge("texts", MOST) });
+                            }
+                            if known.is_none() {
                                 grammar.terminals.push(text);
                             }
-                            Symbol::Terminal(id)
+                            Symbol::Terminal(TerminalId(id as u16))
                         }
                     };
                     grammar.symbols.push((symbol, place));
@@ -374,7 +380,7 @@ fn read_name(line: u32, characters: &[char], start: usize) -> Result<(String, us
     }
 }
 
-fn read_symbols(line: u32, characters: &[char], start: usize) -> Result<Vec<(Raw, Place)>, GrammarError> {
+fn read_symbols(line: u32, characters: &[char], start: usize) -> Result<RawSymbols, GrammarError> {
     let mut symbols = Vec::new();
     let mut index = start;
     while index < characters.len() {

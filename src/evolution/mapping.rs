@@ -1,6 +1,7 @@
 //! The genotype-to-phenotype mapping: leftmost, depth first, codon mod number of alternatives.
 
 use super::grammar::{AlternativeId, Grammar, RuleId, Symbol, TerminalId};
+use super::operators::Mutating;
 
 /// When a mapping gives up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +45,43 @@ pub trait Derivation {
 
     /// Literal text was emitted.
     fn terminal(&mut self, _terminal: TerminalId) {}
+}
+
+/// Where a mapping reads its codons.
+pub trait Codons {
+    /// How many there are.
+    fn count(&self) -> usize;
+
+    /// The codon at `index`. A mapping reads from 0 on without gaps; `first` says that it reads this one for the
+    /// first time, which is false only after a wrap.
+    fn read(&mut self, index: usize, first: bool) -> u16;
+}
+
+impl Codons for &[u16] {
+    fn count(&self) -> usize {
+        self.len()
+    }
+
+    #[inline]
+    fn read(&mut self, index: usize, _first: bool) -> u16 {
+        self[index]
+    }
+}
+
+/// Codons that mutate when they are read for the first time, so that exactly the used part of a genome mutates.
+impl Codons for (&mut [u16], Mutating<'_>) {
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    #[inline]
+    fn read(&mut self, index: usize, first: bool) -> u16 {
+        let codon = &mut self.0[index];
+        if first {
+            self.1.pass(codon);
+        }
+        *codon
+    }
 }
 
 /// A grammar compiled for mapping, with the memory the mapping needs: [`Mapper::map`] allocates only for a
@@ -113,13 +151,14 @@ impl Mapper {
     ///
     /// Source: BeTr-GEESE, section 3; the order, the single choices and the count of the depth are those of
     /// `PonyGE2`, which the paper used.
-    pub fn map<D: Derivation>(
+    pub fn map<C: Codons, D: Derivation>(
         &mut self,
-        codons: &[u16],
+        mut codons: C,
         limits: Limits,
         derivation: &mut D,
     ) -> Result<Mapped, Invalid> {
-        let allowed = (codons.len() as u64).saturating_mul(u64::from(limits.max_wraps) + 1);
+        let count = codons.count();
+        let allowed = (count as u64).saturating_mul(u64::from(limits.max_wraps) + 1);
         let (mut used, mut next, mut depth) = (0_u32, 0, 0);
         self.stack.clear();
         self.stack.push(Pending { symbol: 0, depth: 1 });
@@ -136,8 +175,8 @@ impl Mapper {
                 return Err(Invalid::TooDeep);
             }
             depth = depth.max(pending.depth + 1);
-            let codon = codons[next];
-            next = if next + 1 == codons.len() { 0 } else { next + 1 };
+            let codon = codons.read(next, (used as usize) < count);
+            next = if next + 1 == count { 0 } else { next + 1 };
             used += 1;
             let choice = self.rules[pending.symbol as usize];
             let quotient = (u64::from(codon) * choice.reciprocal) >> 32;

@@ -8,8 +8,8 @@ mod grammar;
 mod mapping;
 mod operators;
 
-pub use cases::{Cases, CaseVerdict};
+pub use cases::{CaseVerdict, Cases};
 pub use genome::Genome;
 pub use grammar::{AlternativeId, Grammar, GrammarError, Place, RuleId, Symbol, TerminalId};
-pub use mapping::{Derivation, Invalid, Limits, Mapped, Mapper, Phenotype};
-pub use operators::{Mutation, best_share, one_point_crossover, tournament};
+pub use mapping::{Codons, Derivation, Invalid, Limits, Mapped, Mapper, Phenotype};
+pub use operators::{Mutating, Mutation, best_share, one_point_crossover, tournament};

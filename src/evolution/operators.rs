@@ -4,19 +4,35 @@ use super::Genome;
 use crate::random::Stream;
 use rand::RngExt;
 
-/// Orders `order` best first and returns how many of them are parents: `share` of all, at least 2 (truncation
-/// selection). Equal fitness keeps the order of `order`.
+/// Truncation selection: fills `parents` with the indices of the best `share` of `fitness`, in rising order.
 ///
-/// - `order`: indices into `fitness`; at least 2.
+/// Of equal ones at the border the earlier ones are taken.
+///
 /// - `fitness`: any reals; NaN, the fitness of an invalid individual, is below every number.
-/// - `share`: in (0, 1]; the number of parents is rounded down.
-pub fn best_share(order: &mut [u32], fitness: &[f64], share: f64) -> usize {
-    let key = |index: u32| {
-        let value = fitness[index as usize];
-        if value.is_nan() { f64::NEG_INFINITY } else { value }
-    };
-    order.sort_by(|&a, &b| key(b).total_cmp(&key(a)));
-    ((order.len() as f64 * share) as usize).clamp(2.min(order.len()), order.len())
+/// - `share`: in (0, 1]; the number of parents is rounded down, but at least 2 (or all, when there are fewer).
+/// - `scratch`: memory for the search; what it holds does not matter.
+pub fn best_share(fitness: &[f64], share: f64, scratch: &mut Vec<f64>, parents: &mut Vec<u32>) {
+    let count = ((fitness.len() as f64 * share) as usize).max(2).min(fitness.len());
+    let key = |value: f64| if value.is_nan() { f64::NEG_INFINITY } else { value };
+    parents.clear();
+    if count == 0 {
+        return;
+    }
+    scratch.clear();
+    scratch.extend(fitness.iter().map(|&value| key(value)));
+    // The value of the last parent is the same whatever way the search takes; its order is not, and is not used.
+    let (_, &mut border, _) = scratch.select_nth_unstable_by(count - 1, |a, b| b.total_cmp(a));
+    let above = fitness.iter().filter(|&&value| key(value) > border).count();
+    let mut at_border = count - above;
+    for (index, &value) in fitness.iter().enumerate() {
+        let value = key(value);
+        if value > border {
+            parents.push(index as u32);
+        } else if value >= border && at_border > 0 {
+            parents.push(index as u32);
+            at_border -= 1;
+        }
+    }
 }
 
 /// Draws `size` of `fitness` with replacement and returns the index of the best; a tie goes to the one drawn first.
@@ -60,6 +76,8 @@ pub fn one_point_crossover(rng: &mut Stream, parents: [&Genome; 2], longest: u16
 pub struct Mutation {
     unit: Unit,
     codon_max: u16,
+    /// Places that can change in one codon: its bits, or 1.
+    places: u32,
     probability: f64,
     /// 1 / ln(1 - probability).
     scale: f64,
@@ -75,57 +93,60 @@ impl Mutation {
     /// Each bit flips with `probability`; `codon_max` must be one less than a power of two.
     #[must_use]
     pub fn of_bits(probability: f64, codon_max: u16) -> Self {
-        Self::new(Unit::Bit, probability, codon_max)
+        Self::new(Unit::Bit, u16::BITS - codon_max.leading_zeros(), probability, codon_max)
     }
 
     /// Each codon is drawn again from 0 to `codon_max` with `probability`.
     #[must_use]
     pub fn of_codons(probability: f64, codon_max: u16) -> Self {
-        Self::new(Unit::Codon, probability, codon_max)
+        Self::new(Unit::Codon, 1, probability, codon_max)
     }
 
-    fn new(unit: Unit, probability: f64, codon_max: u16) -> Self {
-        Self { unit, codon_max, probability, scale: 1.0 / libm::log1p(-probability) }
+    fn new(unit: Unit, places: u32, probability: f64, codon_max: u16) -> Self {
+        Self { unit, codon_max, places, probability, scale: 1.0 / libm::log1p(-probability) }
     }
 
-    /// Mutates the first `active` codons of `genome`; returns the index of the first codon touched, or `None`.
-    ///
-    /// `active` is [`Genome::active`] of the genome as it was mapped before.
-    pub fn apply(&self, rng: &mut Stream, genome: &mut Genome, active: usize) -> Option<usize> {
-        let bits = (u16::BITS - self.codon_max.leading_zeros()) as usize;
-        let places = match self.unit {
-            Unit::Bit => active * bits,
-            Unit::Codon => active,
-        };
-        let mut first = None;
-        let mut place = self.distance(rng, places);
-        while place < places {
-            let codon = match self.unit {
-                Unit::Bit => {
-                    genome.codons[place / bits] ^= 1 << (place % bits);
-                    place / bits
-                }
-                Unit::Codon => {
-                    genome.codons[place] = rng.random_range(0..=self.codon_max);
-                    place
-                }
-            };
-            first.get_or_insert(codon);
-            place += 1 + self.distance(rng, places);
-        }
-        first
+    /// Begins to mutate one genome from its first codon on.
+    pub fn begin<'a>(&'a self, rng: &'a mut Stream) -> Mutating<'a> {
+        let next = self.distance(rng);
+        Mutating { mutation: self, rng, next }
     }
 
-    /// Places left out before the next change; at least `places` when none of them changes.
-    fn distance(&self, rng: &mut Stream, places: usize) -> usize {
+    /// Places left out before the next change; saturates where none comes.
+    fn distance(&self, rng: &mut Stream) -> u32 {
         if self.probability <= 0.0 {
-            return places;
+            return u32::MAX;
         }
         if self.probability >= 1.0 {
             return 0;
         }
-        // 1 - u lies in (0, 1], so the logarithm is finite and at most 0; the quotient saturates as an integer.
+        // 1 - u lies in (0, 1], so the logarithm is finite and at most 0; the conversion saturates.
         let u: f64 = rng.random();
-        ((libm::log(1.0 - u) * self.scale) as usize).min(places)
+        (libm::log(1.0 - u) * self.scale) as u32
+    }
+}
+
+/// A mutation on its way through a genome: each codon changes, or not, when it is read for the first time.
+#[derive(Debug)]
+pub struct Mutating<'a> {
+    mutation: &'a Mutation,
+    rng: &'a mut Stream,
+    /// Places from the next unread codon to the next change.
+    next: u32,
+}
+
+impl Mutating<'_> {
+    /// Passes over the next codon in order, changing it if its turn has come.
+    #[inline]
+    pub fn pass(&mut self, codon: &mut u16) {
+        let Mutation { unit, codon_max, places, .. } = *self.mutation;
+        while self.next < places {
+            match unit {
+                Unit::Bit => *codon ^= 1 << self.next,
+                Unit::Codon => *codon = self.rng.random_range(0..=codon_max),
+            }
+            self.next = self.mutation.distance(self.rng).saturating_add(self.next + 1);
+        }
+        self.next -= places;
     }
 }

@@ -30,7 +30,7 @@ impl Body {
     }
 
     /// Feeds heading, load, knowledge and stream.
-    pub fn hash(&self, hash: &mut Fingerprint) {
+    pub fn feed(&self, hash: &mut Fingerprint) {
         self.heading.iter().for_each(|&value| hash.f64(value));
         hash.u64(self.load.map_or(0, |item| u64::from(item) + 1));
         hash.u64(u64::from(self.knows_site));
@@ -140,7 +140,7 @@ impl<'a> Actor<'a> {
         let half = self.field.half;
         let wanted = [0, 1].map(|axis| self.position[axis] + self.body.heading[axis] * self.params.step_length);
         let reached = wanted.map(|value| value.clamp(-half, half));
-        if reached != wanted {
+        if wanted.iter().any(|value| value.abs() > half) {
             self.body.heading = self.body.heading.map(|value| -value);
         }
         self.position = reached;
@@ -193,10 +193,10 @@ impl<'a> Actor<'a> {
 
     fn run(&mut self, leaf: Leaf) -> bool {
         match leaf.name {
-            Name::NeighbourObjects => self.senses(leaf.object),
             Name::IsVisitedBefore => self.is_known(leaf.object),
             Name::IsCarrying => self.body.load.is_some(),
-            Name::IsCarryable => self.senses(leaf.object),
+            // What is sensed is within reach.
+            Name::NeighbourObjects | Name::IsCarryable => self.senses(leaf.object),
             Name::IsDropable => self.is_dropable(leaf.object),
             // Nothing kills agents in this world.
             Name::CanMove | Name::DummyNode => true,

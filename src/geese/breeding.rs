@@ -1,7 +1,7 @@
 //! The act phase: parents from the pool, children by crossover and mutation, the most diverse child.
 
 use super::mind::{Entry, Mind};
-use super::params::{MutationMode, ParentSelection, Params};
+use super::params::{MutationMode, Params, ParentSelection};
 use super::program::{Compiler, Survey};
 use crate::evolution::{Genome, Mutation, best_share, one_point_crossover, tournament};
 use crate::random::Stream;
@@ -25,7 +25,8 @@ pub struct Breeder {
     /// The genomes to choose from, by source.
     pub pool: Vec<Source>,
     fitness: Vec<f64>,
-    order: Vec<u32>,
+    sorted: Vec<f64>,
+    parents: Vec<u32>,
     children: [Genome; 2],
     best: Genome,
 }
@@ -48,7 +49,8 @@ impl Breeder {
             mutation: mutation(params),
             pool: Vec::new(),
             fitness: Vec::new(),
-            order: Vec::new(),
+            sorted: Vec::new(),
+            parents: Vec::new(),
             children: [Genome::default(), Genome::default()],
             best: Genome::default(),
         }
@@ -65,7 +67,7 @@ impl Breeder {
     pub fn genesis(&mut self, params: &Params, rng: &mut Stream, genome: &mut Genome) -> Option<Survey> {
         (0..100_000).find_map(|_| {
             genome.randomise(rng, params.genome_length, params.codon_max);
-            self.compiler.survey_genome(genome)
+            self.compiler.survey(genome, None)
         })
     }
 
@@ -85,7 +87,7 @@ impl Breeder {
         stored: &[Entry],
         minds: &[Mind],
     ) -> Option<Best<'_>> {
-        let Self { compiler, mutation, pool, fitness, order, children, best } = self;
+        let Self { compiler, mutation, pool, fitness, sorted, parents, children, best } = self;
         let genome_of = |index: u32| match pool.get(index as usize) {
             Some(&Source::Stored(at)) => &stored[at as usize].genome,
             Some(&Source::Met(agent)) => &minds[agent as usize].genome,
@@ -97,24 +99,20 @@ impl Breeder {
             Source::Met(agent) => minds[agent as usize].fitness,
         }));
         fitness.push(own.fitness);
-        order.clear();
-        order.extend(0..fitness.len() as u32);
-        let parents = match params.parent_selection {
-            ParentSelection::Truncation => best_share(order, fitness, params.parent_share),
-            ParentSelection::Tournament => order.len(),
-        };
+        best_share(fitness, params.parent_share, sorted, parents);
 
         let mut found: Option<Survey> = None;
         let mut bred = 0;
         while bred < params.children {
             let pair = match params.parent_selection {
-                ParentSelection::Truncation => two_different(rng, parents as u32).map(|place| order[place as usize]),
+                ParentSelection::Truncation => {
+                    two_different(rng, parents.len() as u32).map(|place| parents[place as usize])
+                }
                 ParentSelection::Tournament => tournament_pair(rng, fitness, params.tournament_size),
             };
             let [a, b] = pair.map(genome_of);
             let [first, second] = &mut *children;
-            let crossed = rng.random_bool(params.crossover_probability);
-            if crossed {
+            if rng.random_bool(params.crossover_probability) {
                 one_point_crossover(rng, [a, b], params.genome_length, [&mut *first, &mut *second]);
             } else {
                 first.clone_from(a);
@@ -122,16 +120,16 @@ impl Breeder {
             }
             for child in [first, second].into_iter().take((params.children - bred) as usize) {
                 bred += 1;
-                // Mutation touches the used codons, so a crossed child is mapped before and after it.
-                let mut survey = if crossed { compiler.survey_genome(child) } else { None };
-                let active = child.active();
-                if mutation.apply(rng, child, active).is_some() || !crossed {
-                    survey = compiler.survey_genome(child);
-                }
-                let Some(survey) = survey else { continue };
-                if found.is_none_or(|best| survey.names.count_ones() > best.names.count_ones()) {
+                let Some(survey) = compiler.survey(child, Some(mutation.begin(rng))) else { continue };
+                let names = survey.names.count_ones();
+                if found.is_none_or(|best| names > best.names.count_ones()) {
                     found = Some(survey);
                     std::mem::swap(best, child);
+                }
+                if names >= compiler.most_names() {
+                    // No later child can be better, and the first of equal ones is taken: the rest need no look.
+                    bred = params.children;
+                    break;
                 }
             }
         }

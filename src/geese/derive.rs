@@ -3,7 +3,7 @@
 use super::inspect::{ShownNode, shown_nodes};
 use super::language::Token;
 use super::program::{Compiler, needs_root, placeholder, program_text};
-use crate::evolution::{AlternativeId, Derivation, Invalid, Mapper, RuleId, TerminalId};
+use crate::evolution::{AlternativeId, Derivation, Genome, Invalid, Mapper, RuleId, TerminalId};
 use serde::Serialize;
 
 /// What a genome derives, valid or not.
@@ -59,7 +59,8 @@ impl Derived {
         });
         let steps: Vec<DerivedStep> = shown.collect();
         let mut tree = placeholder();
-        let survey = compiler.survey(codons).ok().filter(|_| compiler.compile(codons, &mut tree).is_ok());
+        let mut genome = Genome { codons: codons.to_vec(), used: 0 };
+        let survey = compiler.survey(&mut genome, None).filter(|_| compiler.compile(codons, &mut tree).is_ok());
         Self {
             valid: survey.is_some(),
             reason: mapped.err().map(|reason| match reason {

@@ -129,7 +129,7 @@ impl Field {
     }
 
     /// Feeds places, items and the positions of the agents.
-    pub fn hash(&self, hash: &mut Fingerprint) {
+    pub fn feed(&self, hash: &mut Fingerprint) {
         for value in [self.site.centre[0], self.site.centre[1], self.site.radius, self.hub.radius, self.half] {
             hash.f64(value);
         }

@@ -60,7 +60,8 @@ impl Layout {
     /// The layout of the frames of `world`.
     #[must_use]
     pub fn of(world: &World) -> Self {
-        let block = |offset, count, fields: &'static [&'static str]| Block { offset, stride: fields.len(), count, fields };
+        let block =
+            |offset, count, fields: &'static [&'static str]| Block { offset, stride: fields.len(), count, fields };
         let counts = block(0, 1, COUNTS);
         let agents = block(COUNTS.len(), world.params().agents as usize, AGENT);
         let items = block(agents.offset + agents.count * agents.stride, world.params().item_count() as usize, ITEM);
@@ -113,7 +114,7 @@ pub fn fill_frame(world: &World, frame: &mut Vec<f32>) {
     let from = frame.len();
     for (id, item) in field.item_states().iter().enumerate() {
         let [x, y] = field.items.point(id as u32);
-        frame.extend([x as f32, y as f32, *item as u8 as f32]);
+        frame.extend([x as f32, y as f32, f32::from(*item as u8)]);
     }
     // A carried item is where its carrier is.
     for (id, body) in state.bodies.iter().enumerate() {

@@ -193,24 +193,19 @@ fn was_reached(state: &State, mind: &Mind, node: u32) -> bool {
 /// The number of distinct programs and the largest groups, largest first; of equal ones the one whose first agent
 /// has the smallest number.
 fn groups(state: &State) -> (usize, Vec<(u64, Group)>) {
-    let mut ids: Vec<(u64, u32)> =
-        state.minds.iter().enumerate().map(|(id, mind)| (mind.ran(state.tick).id, id as u32)).collect();
-    ids.sort_unstable();
-    let mut groups: Vec<(u64, u32, usize)> = Vec::new();
-    for (program, agent) in ids {
-        match groups.last_mut() {
-            Some(group) if group.0 == program => group.2 += 1,
-            _ => groups.push((program, agent, 1)),
-        }
-    }
-    groups.sort_by_key(|&(_, first, agents)| (usize::MAX - agents, first));
+    let ran = state.by_program();
+    let mut groups: Vec<&[(u64, u32)]> = ran.chunk_by(|a, b| a.0 == b.0).collect();
     let count = groups.len();
-    groups.truncate(TOP);
-    let shown = groups.into_iter().map(|(program, first, agents)| {
+    let mut top = Vec::new();
+    while top.len() < TOP {
+        let largest = (0..groups.len()).max_by_key(|&at| (groups[at].len(), u32::MAX - groups[at][0].1));
+        let Some(largest) = largest else { break };
+        let group = groups.swap_remove(largest);
+        let (program, first) = group[0];
         let text = program_text(&state.minds[first as usize].ran(state.tick).tree);
-        (program, Group { id: hex(program), agents, text, first })
-    });
-    (count, shown.collect())
+        top.push((program, Group { id: hex(program), agents: group.len(), text, first }));
+    }
+    (count, top)
 }
 
 fn behaviours(state: &State, names: &[Name]) -> Vec<Behaviour> {
@@ -282,8 +277,7 @@ fn shown_tree(state: &State, held: &[u32], shown: &[u32], with_status: bool) -> 
         shown.iter().map(|&id| state.minds[id as usize].ran(state.tick).trace.as_slice()).collect();
     for (index, node) in nodes.iter_mut().enumerate() {
         let within = |steps: u32| {
-            let reached =
-                traces.iter().filter(|trace| trace[index].tick > 0 && trace[index].tick + steps > state.tick);
+            let reached = traces.iter().filter(|trace| trace[index].tick > 0 && trace[index].tick + steps > state.tick);
             reached.count() as f64 / traces.len() as f64
         };
         node.reached_now = Some(within(1));

@@ -113,7 +113,8 @@ impl Language {
                     if let Symbol::Terminal(terminal) = symbol {
                         let id = usize::from(terminal.0);
                         if tokens[id].is_empty() {
-                            tokens[id] = read_tokens(&grammar.terminals()[id], *place)?.into_iter().map(|t| t.0).collect();
+                            tokens[id] =
+                                read_tokens(&grammar.terminals()[id], *place)?.into_iter().map(|t| t.0).collect();
                         }
                     }
                 }
@@ -125,7 +126,10 @@ impl Language {
             return Ok(Self { tokens });
         }
         let place = grammar.rule_place(RuleId(0));
-        Err(LanguageError { place, message: format!("expected the first rule to stand for nodes, found {}", start.text()) })
+        Err(LanguageError {
+            place,
+            message: format!("expected the first rule to stand for nodes, found {}", start.text()),
+        })
     }
 }
 
@@ -178,7 +182,12 @@ fn guess(grammar: &Grammar, alternative: AlternativeId, known: &[Option<Category
             match tokens.as_slice() {
                 [Token::Object(object)] if rest.is_empty() => Some(Category::of_object(*object)),
                 [Token::Not, Token::Name(name), after @ ..] | [Token::Name(name), after @ ..] => {
-                    let argument = usize::from(name.takes() != Takes::Nothing);
+                    let is_node =
+                        |rule: &RuleId| matches!(known[usize::from(rule.0)], Some(Category::Nodes | Category::Call));
+                    let argument = match rest {
+                        [(Symbol::NonTerminal(rule), _), ..] if is_node(rule) => 0,
+                        _ => usize::from(name.takes() != Takes::Nothing),
+                    };
                     Some(if after.len() + rest.len() <= argument { Category::Call } else { Category::Nodes })
                 }
                 _ => Some(Category::Nodes),
@@ -297,6 +306,9 @@ impl Checker<'_> {
             self.next += 1;
             return Ok(());
         }
+        if wanted == Category::Object {
+            return Ok(()); // without an argument it means any object
+        }
         self.fault(&format!("{} after {}", wanted.text(), name.text()))
     }
 
@@ -353,9 +365,9 @@ fn read_tokens(text: &str, place: Place) -> Result<Vec<(Token, Place)>, Language
                 tokens.push((Token::CloseTag, at));
                 index += 1;
             }
-            c if c.is_alphanumeric() || c == '_' => {
+            c if c.is_ascii_alphanumeric() || c == '_' => {
                 let end = (index..characters.len())
-                    .find(|&i| !(characters[i].is_alphanumeric() || characters[i] == '_'))
+                    .find(|&i| !(characters[i].is_ascii_alphanumeric() || characters[i] == '_'))
                     .unwrap_or(characters.len());
                 let word: String = characters[index..end].iter().collect();
                 let (token, length) = read_word(&word, characters.get(end).copied()).map_err(fault)?;

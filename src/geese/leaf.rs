@@ -40,7 +40,7 @@ pub enum Takes {
     Place,
     /// A kind of item.
     Item,
-    /// Either.
+    /// Either, or nothing for any object.
     Object,
 }
 

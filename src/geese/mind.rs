@@ -79,8 +79,8 @@ impl Mind {
     }
 
     /// Feeds everything that decides what the agent does next.
-    pub fn hash(&self, hash: &mut Fingerprint) {
-        self.genome.hash(hash);
+    pub fn feed(&self, hash: &mut Fingerprint) {
+        self.genome.feed(hash);
         hash.u64(self.program.id);
         hash.u32(self.since);
         hash.u32(self.swaps);
@@ -91,7 +91,7 @@ impl Mind {
             hash.u32(entry.donor);
             hash.f64(entry.fitness);
             hash.f64(entry.diversity);
-            entry.genome.hash(hash);
+            entry.genome.feed(hash);
         }
         hash.stream(&self.evolution);
     }

@@ -16,9 +16,11 @@ mod inspect;
 mod language;
 mod leaf;
 mod mind;
+mod near;
 mod params;
 mod program;
 mod schema;
+mod variety;
 mod world;
 
 pub use derive::{Derived, DerivedStep};
@@ -27,7 +29,7 @@ pub use inspect::{Detail, Query};
 pub use language::LanguageError;
 pub use leaf::{Leaf, Name, Object, Tag, Takes};
 pub use params::{
-    DropRule, ExploreHeading, IsDropable, MovesPerStep, MutationMode, ParentSelection, Params, StorageContent, SwapRule,
+    DropRule, ExploreHeading, IsDropable, MovesPerStep, MutationMode, Params, ParentSelection, StorageContent, SwapRule,
 };
 pub use program::{Compiler, CompilerError, Survey, program_text};
 pub use schema::{GRAMMAR, PARAMETERS};

@@ -2,9 +2,11 @@
 
 use super::language::{Language, LanguageError, Token};
 use super::leaf::{Leaf, Name, Object, Tag};
+use super::variety::most_names;
 use crate::bt::{Builder, Kind, Tree};
 use crate::evolution::{
-    AlternativeId, Derivation, Genome, Grammar, GrammarError, Invalid, Limits, Mapper, RuleId, Symbol, TerminalId,
+    AlternativeId, Derivation, Genome, Grammar, GrammarError, Invalid, Limits, Mapper, Mutating, RuleId, Symbol,
+    TerminalId,
 };
 use crate::fingerprint::Fingerprint;
 use std::fmt;
@@ -40,6 +42,7 @@ pub struct Compiler {
     names: Vec<u16>,
     /// All names of the grammar.
     vocabulary: u16,
+    most_names: u32,
     tokens: Vec<Token>,
     builder: Builder<Leaf>,
 }
@@ -47,8 +50,6 @@ pub struct Compiler {
 /// What a child is judged by, found without building its tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Survey {
-    /// Codons used.
-    pub used: u16,
     /// The set of leaf names, as bits of [`Name::bit`].
     pub names: u16,
 }
@@ -77,9 +78,10 @@ impl Compiler {
             }
         }
         let vocabulary = names.iter().fold(0, |set, bits| set | bits);
+        let most_names = most_names(&grammar, &names, limits.max_depth);
         let mapper = Mapper::new(&grammar);
         let (tokens, builder) = (Vec::new(), Builder::default());
-        Ok(Self { grammar, language, mapper, limits, names, vocabulary, tokens, builder })
+        Ok(Self { grammar, language, mapper, limits, names, vocabulary, most_names, tokens, builder })
     }
 
     /// The grammar.
@@ -115,22 +117,24 @@ impl Compiler {
         f64::from(names.count_ones()) / f64::from(self.vocabulary.count_ones().max(1))
     }
 
-    /// Maps without building.
+    /// Maps without building, and notes the used codons in the genome: 0 when it maps to no program.
     ///
-    /// # Errors
-    /// The genome maps to no program.
-    pub fn survey(&mut self, codons: &[u16]) -> Result<Survey, Invalid> {
+    /// - `mutation`: changes the codons while they are read, that is, within the used part.
+    pub fn survey(&mut self, genome: &mut Genome, mutation: Option<Mutating>) -> Option<Survey> {
         let mut names = NameSet { of_alternative: &self.names, set: 0 };
-        let mapped = self.mapper.map(codons, self.limits, &mut names)?;
+        let mapped = match mutation {
+            Some(mutation) => self.mapper.map((genome.codons.as_mut_slice(), mutation), self.limits, &mut names),
+            None => self.mapper.map(genome.codons.as_slice(), self.limits, &mut names),
+        };
         // More than 65,535 codons can only be used through wraps; the count then only says "all of them".
-        Ok(Survey { used: u16::try_from(mapped.used).unwrap_or(u16::MAX), names: names.set })
+        genome.used = mapped.map_or(0, |mapped| u16::try_from(mapped.used).unwrap_or(u16::MAX));
+        mapped.ok().map(|_| Survey { names: names.set })
     }
 
-    /// Surveys a genome and notes its used codons, 0 when it maps to no program.
-    pub fn survey_genome(&mut self, genome: &mut Genome) -> Option<Survey> {
-        let survey = self.survey(&genome.codons).ok();
-        genome.used = survey.map_or(0, |survey| survey.used);
-        survey
+    /// The most names that a program within the depth limit can have.
+    #[must_use]
+    pub fn most_names(&self) -> u32 {
+        self.most_names
     }
 
     /// Builds the tree of a genome into `tree`, whose memory is used again.
@@ -239,7 +243,10 @@ pub fn program_text(tree: &Tree<Leaf>) -> String {
     fn write(tree: &Tree<Leaf>, node: crate::bt::NodeId, text: &mut String) {
         let open = match &tree.nodes()[node.index()].kind {
             Kind::Leaf(leaf) if leaf.tag == Tag::None => return text.push_str(&leaf.to_string()),
-            Kind::Leaf(leaf) => return text.push_str(&format!("{}({leaf})", leaf.tag.text())),
+            Kind::Leaf(leaf) => {
+                text.extend([leaf.tag.text(), "(", &leaf.to_string(), ")"]);
+                return;
+            }
             Kind::Sequence => "Seq[",
             Kind::Fallback => "Sel[",
             other => other.name(),

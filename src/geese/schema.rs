@@ -3,7 +3,7 @@
 use super::params::{MutationMode, Params};
 use super::program::Compiler;
 use crate::evolution::Limits;
-use crate::parameter::{Apply, Kind, Parameter};
+use crate::parameter::{Apply, Kind, Parameter, number};
 
 /// The PPA grammar of BeTr-GEESE for foraging (BNF-II), after the paper's appendix B. The paper elides the
 /// alternatives of pc, p, k and action; they are those of the authors' grammar for foraging. The order matters:
@@ -301,11 +301,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "swap-rule",
-        kind: Kind::Choice(&[
-            ("d-gt", "If more diverse"),
-            ("d-ge", "If at least as diverse"),
-            ("always", "Always"),
-        ]),
+        kind: Kind::Choice(&[("d-gt", "If more diverse"), ("d-ge", "If at least as diverse"), ("always", "Always")]),
         unit: "",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -402,14 +398,18 @@ impl Params {
         if reach > self.half() {
             let message = format!(
                 "expected at most {}, so that a site of radius {} lies inside the arena, found {}",
-                self.half() - self.site_radius,
-                self.site_radius,
-                self.site_distance
+                number(self.half() - self.site_radius),
+                number(self.site_radius),
+                number(self.site_distance)
             );
             return Err(("site-distance", message));
         }
         if self.hub_radius > self.half() {
-            let message = format!("expected at most {}, half the arena's side, found {}", self.half(), self.hub_radius);
+            let message = format!(
+                "expected at most {}, half the arena's side, found {}",
+                number(self.half()),
+                number(self.hub_radius)
+            );
             return Err(("hub-radius", message));
         }
         Ok(compiler)

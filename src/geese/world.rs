@@ -4,6 +4,7 @@ use super::body::{Actor, Body};
 use super::breeding::{Best, Breeder, Source};
 use super::field::Field;
 use super::mind::{Feedback, Mind, Program, Storage, Visited};
+use super::near::Near;
 use super::params::{Params, StorageContent, SwapRule};
 use super::program::{Compiler, placeholder};
 use crate::bt::{Memory, tick_once};
@@ -21,7 +22,7 @@ pub const SAMPLE_EVERY: u32 = 20;
 pub struct World {
     params: Params,
     breeder: Breeder,
-    near: Vec<u32>,
+    near: Near,
     state: State,
 }
 
@@ -125,7 +126,7 @@ impl World {
             history: Vec::new(),
         };
         state.sample();
-        Ok(Self { params: params.clone(), breeder, near: Vec::new(), state })
+        Ok(Self { params: params.clone(), breeder, near: Near::new(params.agents), state })
     }
 
     /// The parameters in force.
@@ -203,11 +204,11 @@ impl World {
         hash.u32(state.tick);
         hash.stream(&state.activation);
         state.order.iter().for_each(|&agent| hash.u32(agent));
-        state.field.hash(&mut hash);
+        state.field.feed(&mut hash);
         for (id, (body, mind)) in state.bodies.iter().zip(&state.minds).enumerate() {
             state.field.agents.point(id as u32).iter().for_each(|&value| hash.f64(value));
-            body.hash(&mut hash);
-            mind.hash(&mut hash);
+            body.feed(&mut hash);
+            mind.feed(&mut hash);
         }
         hash.finish()
     }
@@ -268,49 +269,43 @@ impl State {
     ///
     /// Source: BeTr-GEESE, section 3. Neighbours are the agents within the sensing radius; the storage keeps the
     /// newest genome of each, with its fitness at that moment (our choices).
-    fn meet(&mut self, params: &Params, breeder: &mut Breeder, near: &mut Vec<u32>, agent: u32) {
+    fn meet(&mut self, params: &Params, breeder: &mut Breeder, near: &mut Near, agent: u32) {
         let place = self.field.agents.point(agent);
         near.clear();
-        self.field.agents.near(place, params.sense_radius, |other, _| {
-            if other != agent {
-                near.push(other);
-            }
-        });
+        self.field.agents.near(place, params.sense_radius, |other, _| near.add(other));
+        near.remove(agent);
         if near.is_empty() {
             return;
         }
-        // The grid's order depends on the history of moves; by number, it is the same however the search works.
-        near.sort_unstable();
         let mind = &mut self.minds[agent as usize];
         near.retain(|_| mind.evolution.random_bool(params.interaction_probability));
         let again = params.storage_content == StorageContent::Meetings;
         let entries = mind.storage.entries();
-        let replaced = entries.iter().filter(|entry| !again && near.binary_search(&entry.donor).is_ok()).count();
-        let stored = entries.len() + near.len() - replaced;
+        let replaced = entries.iter().filter(|entry| !again && near.contains(entry.donor)).count();
+        let stored = entries.len() + near.ids().len() - replaced;
         if stored > params.storage_threshold as usize {
             self.evolve(params, breeder, near, agent);
             return;
         }
         let mut storage = std::mem::take(&mut mind.storage);
-        for &donor in near.iter() {
+        for &donor in near.ids() {
             storage.store(donor, &self.minds[donor as usize], again);
         }
         self.minds[agent as usize].storage = storage;
     }
 
     /// Breeds from the storage and those just met, and takes up the best child if the swap rule lets it.
-    fn evolve(&mut self, params: &Params, breeder: &mut Breeder, met: &[u32], agent: u32) {
+    fn evolve(&mut self, params: &Params, breeder: &mut Breeder, met: &Near, agent: u32) {
         let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
         let mut rng = self.minds[agent as usize].evolution.clone();
         let again = params.storage_content == StorageContent::Meetings;
         let entries = storage.entries();
         breeder.pool.clear();
-        breeder.pool.extend(entries.iter().enumerate().map(|(at, entry)| match met.binary_search(&entry.donor) {
-            Ok(_) if !again => Source::Met(entry.donor),
-            _ => Source::Stored(at as u32),
+        breeder.pool.extend(entries.iter().enumerate().map(|(at, entry)| {
+            if !again && met.contains(entry.donor) { Source::Met(entry.donor) } else { Source::Stored(at as u32) }
         }));
         let is_stored = |donor: u32| !again && entries.iter().any(|entry| entry.donor == donor);
-        breeder.pool.extend(met.iter().filter(|&&donor| !is_stored(donor)).map(|&donor| Source::Met(donor)));
+        breeder.pool.extend(met.ids().iter().filter(|&&donor| !is_stored(donor)).map(|&donor| Source::Met(donor)));
 
         let own = &self.minds[agent as usize];
         let best = breeder.breed(params, &mut rng, own, storage.entries(), &self.minds);
@@ -338,13 +333,19 @@ impl State {
         mind.evolution = rng;
     }
 
+    /// Each agent with the id of the program it ran in the last step, agents of one program side by side.
+    #[must_use]
+    pub fn by_program(&self) -> Vec<(u64, u32)> {
+        let ran = self.minds.iter().enumerate().map(|(agent, mind)| (mind.ran(self.tick).id, agent as u32));
+        let mut ran: Vec<(u64, u32)> = ran.collect();
+        ran.sort_unstable();
+        ran
+    }
+
     /// How many distinct programs were ticked in the last step.
     #[must_use]
     pub fn program_count(&self) -> u32 {
-        let mut ids: Vec<u64> = self.minds.iter().map(|mind| mind.ran(self.tick).id).collect();
-        ids.sort_unstable();
-        ids.dedup();
-        ids.len() as u32
+        self.by_program().chunk_by(|a, b| a.0 == b.0).count() as u32
     }
 
     fn sample(&mut self) {

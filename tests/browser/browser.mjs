@@ -1,0 +1,121 @@
+// Starts Chromium and wraps a page in the few words the tests speak.
+import { existsSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
+const PATIENCE_MS = 20_000;
+
+/** Chromium from the variable CHROMIUM or the PATH; null when there is none. */
+export function findChromium() {
+  if (process.env.CHROMIUM) return process.env.CHROMIUM;
+  const places = (process.env.PATH ?? '').split(delimiter).flatMap((folder) => NAMES.map((name) => join(folder, name)));
+  return places.find((place) => existsSync(place)) ?? null;
+}
+
+/** Starts a browser with a user-data directory of its own. @param {string} executablePath */
+export const launch = (executablePath) => chromium.launch({ executablePath, args: FLAGS });
+
+/**
+ * A page in a context of its own, opened at a hash and past loading.
+ *
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} url
+ * @param {string} [hash]
+ * @param {import('playwright-core').BrowserContextOptions} [options] motion is reduced unless asked for, so nothing moves by itself
+ */
+export async function openPage(browser, url, hash = '', options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce', ...options });
+  context.setDefaultTimeout(PATIENCE_MS);
+  const page = await context.newPage();
+  const problems = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error' || message.type() === 'warning') problems.push(message.text());
+  });
+  page.on('pageerror', (error) => problems.push(error.message));
+  page.on('request', (request) => {
+    if (!request.url().startsWith(url) && !/^(data|blob):/.test(request.url())) problems.push(`asked for ${request.url()}`);
+  });
+  await page.goto(url + hash);
+  const opened = wrap(page, problems);
+  await opened.until(() => document.body.dataset.state !== 'loading');
+  return opened;
+}
+
+/** @param {import('playwright-core').Page} page @param {string[]} problems */
+function wrap(page, problems) {
+  const opened = {
+    page,
+    problems,
+    close: () => page.context().close(),
+
+    /** Waits for a condition in the page. @param {(argument: any) => unknown} condition @param {unknown} [argument] */
+    until: (condition, argument) => page.waitForFunction(condition, argument, { polling: 20 }),
+
+    /** @param {...string} names */
+    inState: (...names) => opened.until((/** @type {string[]} */ wanted) => wanted.includes(document.body.dataset.state ?? ''), names),
+
+    tick: async () => Number(await page.locator('#tick').textContent()),
+
+    /** Waits until the world stands at a tick and shows its fingerprint. @param {number} tick */
+    async at(tick) {
+      await opened.until(
+        (wanted) =>
+          document.querySelector('#tick')?.textContent === String(wanted) &&
+          /** @type {HTMLElement} */ (document.querySelector('#fingerprint')).dataset.tick === String(wanted) &&
+          ['paused', 'finished'].includes(document.body.dataset.state ?? ''),
+        tick,
+      );
+      return /** @type {string} */ (await page.locator('#fingerprint').textContent());
+    },
+
+    /** Moves the scrubber. @param {number} tick */
+    async seek(tick) {
+      await page.locator('#scrub').evaluate((scrub, wanted) => {
+        /** @type {HTMLInputElement} */ (scrub).value = String(wanted);
+        scrub.dispatchEvent(new Event('input'));
+      }, tick);
+      return opened.at(tick);
+    },
+
+    /** Waits for a notice. @param {RegExp} pattern */
+    async notice(pattern) {
+      const notice = page.locator('.notice p').filter({ hasText: pattern });
+      await notice.first().waitFor();
+      return notice.first().textContent();
+    },
+
+    /** Asks a second engine, started from the page's own worker file. @param {string} type @param {object} [body] */
+    engine: (type, body = {}) =>
+      page.evaluate(
+        ([address, message]) =>
+          new Promise((resolve) => {
+            const worker = new Worker(/** @type {string} */ (address), { type: 'module' });
+            worker.onmessage = (event) => {
+              worker.terminate();
+              resolve(event.data);
+            };
+            worker.postMessage(message);
+          }),
+        [page.workers()[0].url(), { id: 1, type, ...body }],
+      ),
+
+    hash: () => page.evaluate(() => location.hash),
+
+    /** Waits until the address names the moment on screen, and gives its hash. @param {number} tick */
+    async address(tick) {
+      const part = tick === 0 ? 'preset=' : `t=${tick}&f=${await opened.at(tick)}`;
+      await opened.until((wanted) => location.hash.includes(wanted), part);
+      return opened.hash();
+    },
+
+    /** Opens every group of controls. */
+    openGroups: () => page.locator('#controls details').evaluateAll((groups) => groups.forEach((group) => group.setAttribute('open', ''))),
+  };
+  return opened;
+}
+
+/** @typedef {ReturnType<typeof wrap>} Opened */
+/** @typedef {(hash?: string, options?: import('playwright-core').BrowserContextOptions) => Promise<Opened>} Open */
+/** @typedef {[name: string, run: (open: Open, url: string) => Promise<void | string>]} Case a note that is returned is printed */

@@ -1,0 +1,117 @@
+import assert from 'node:assert/strict';
+
+/** @type {import('./browser.mjs').Case[]} */
+export const cases = [
+  [
+    'click_on_a_robot_opens_it',
+    async (open) => {
+      const { page, seek } = await open();
+      await seek(40);
+      await page.locator('#canvas').focus();
+      await page.keyboard.press('Home');
+      await page.locator('.selected-name').filter({ hasText: 'Robot 0' }).waitFor();
+      const ring = await page.locator('.selected-ring').evaluate((circle) => [Number(circle.getAttribute('cx')), Number(circle.getAttribute('cy'))]);
+      await page.keyboard.press('Escape');
+      await page.locator('.selected-name').filter({ hasNotText: 'Robot' }).waitFor({ state: 'attached' });
+      await page.locator('#canvas').click({ position: { x: ring[0], y: ring[1] } });
+      await page.locator('.selected-name').filter({ hasText: /Robot \d+/ }).waitFor();
+      await page.locator('#tab-agent').click();
+      await page.locator('.facts-list dd').filter({ hasText: 'Hub' }).first().waitFor();
+    },
+  ],
+  [
+    'another_click_takes_the_next_robot_at_the_spot',
+    async (open) => {
+      const { page, at } = await open();
+      await at(0); // every robot starts at the hub, in the middle
+      const box = await page.locator('#canvas').boundingBox();
+      assert.ok(box);
+      const position = { x: box.width / 2, y: box.height / 2 };
+      await page.locator('#canvas').click({ position });
+      await page.locator('.selected-name').filter({ hasText: /Robot \d+/ }).waitFor();
+      const first = await page.locator('.selected-name').textContent();
+      await page.locator('#canvas').click({ position });
+      await page.locator('.selected-name').filter({ hasNotText: new RegExp(`^${first}$`) }).filter({ hasText: 'Robot' }).waitFor();
+      await page.locator('#tab-agent').click();
+      await page.locator('.under .chip').nth(1).waitFor();
+    },
+  ],
+  [
+    'robots_are_reached_by_keyboard_alone',
+    async (open) => {
+      const { page, seek } = await open();
+      await seek(60);
+      await page.locator('#canvas').focus();
+      await page.keyboard.press('End');
+      const name = page.locator('.selected-name');
+      await name.filter({ hasText: 'Robot 99' }).waitFor();
+      for (const key of ['ArrowLeft', 'ArrowUp', 'ArrowRight', 'ArrowDown']) await page.keyboard.press(key);
+      assert.match((await name.textContent()) ?? '', /Robot \d+/);
+      await page.locator('.scopes button[aria-pressed=true]').filter({ hasText: (await name.textContent()) ?? '' }).waitFor();
+    },
+  ],
+  [
+    'node_of_the_tree_rings_robots_and_shows_status_in_its_name',
+    async (open) => {
+      const { page, seek } = await open();
+      await seek(120);
+      const root = page.locator('[role=treeitem]').first();
+      await root.waitFor();
+      await root.click();
+      await page.locator('.said').filter({ hasText: /reached this node in the last tick/ }).waitFor();
+      assert.match((await root.locator('title').textContent()) ?? '', /reached by \d+ %/);
+      await page.locator('#canvas').focus();
+      await page.keyboard.press('Home');
+      await page.locator('[role=treeitem][data-status=SUCCESS], [role=treeitem][data-status=FAILURE]').first().waitFor();
+      await page.locator('[role=treeitem]').first().focus();
+      await page.keyboard.press('ArrowRight');
+      assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-id')), '1');
+      await page.keyboard.press('ArrowLeft');
+      await page.locator('[role=treeitem][data-id="1"][aria-expanded=false], [role=treeitem][data-id="0"]:focus').first().waitFor();
+    },
+  ],
+  [
+    'genome_is_a_what_if_that_never_touches_the_run',
+    async (open) => {
+      const { page, seek, at } = await open();
+      const before = await seek(80);
+      await page.locator('#canvas').focus();
+      await page.keyboard.press('Home');
+      await page.locator('#tab-genome').click();
+      const codon = page.locator('.codon').nth(1);
+      await page.locator('.codon[aria-label*="choice"]').first().waitFor();
+      const value = Number(await codon.textContent());
+      await codon.focus();
+      await page.keyboard.press('ArrowUp');
+      await page.locator('.what-if').waitFor();
+      assert.equal(Number(await codon.textContent()), (value + 1) % 256);
+      await page.locator('.what-if button').click();
+      await page.locator('.what-if').waitFor({ state: 'hidden' });
+      assert.equal(Number(await codon.textContent()), value);
+      assert.equal(await at(80), before);
+    },
+  ],
+  [
+    'charts_have_a_data_table',
+    async (open) => {
+      const { page, seek } = await open();
+      await seek(400);
+      await page.locator('#tab-charts').click();
+      await page.locator('.uplot').nth(1).waitFor();
+      await page.locator('.numbers summary').click();
+      await page.locator('.numbers tbody tr').nth(10).waitFor();
+      assert.equal(await page.locator('.numbers tbody th').first().textContent(), '0');
+    },
+  ],
+  [
+    'table_lists_every_robot',
+    async (open) => {
+      const { page, at } = await open();
+      await at(0);
+      await page.getByRole('button', { name: 'Table', exact: true }).click();
+      await page.locator('.agent-table tbody tr').nth(99).waitFor();
+      await page.locator('.agent-table tbody tr').nth(7).getByRole('button').click();
+      assert.equal(await page.locator('.agent-table tr.chosen th').textContent(), '7');
+    },
+  ],
+];

@@ -1,0 +1,59 @@
+// Drives the built page in headless Chromium. Ends with the line `N passed, N failed`.
+// Words on the command line choose the cases whose name holds one of them.
+import { existsSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { findChromium, launch, openPage } from './browser.mjs';
+import { serve } from './serve.mjs';
+import { cases as opening } from './opening.mjs';
+import { cases as steps } from './steps.mjs';
+import { cases as inspecting } from './inspecting.mjs';
+import { cases as links } from './links.mjs';
+import { cases as fingerprints } from './fingerprints.mjs';
+import { cases as controls } from './controls.mjs';
+import { cases as mistakes } from './mistakes.mjs';
+import { cases as access } from './access.mjs';
+import { cases as exports } from './exports.mjs';
+import { cases as frames } from './frames.mjs';
+
+const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+const executable = findChromium();
+if (!existsSync(`${dist}/index.html`)) fail('the page is not built: run make build first');
+if (!executable) fail('no Chromium was found: install it or set CHROMIUM to its path');
+
+const words = process.argv.slice(2);
+const chosen = [opening, steps, inspecting, links, fingerprints, controls, mistakes, access, exports, frames]
+  .flat()
+  .filter(([name]) => words.length === 0 || words.some((word) => name.includes(word)));
+const server = await serve(dist, '/some/sub/path/');
+const browser = await launch(/** @type {string} */ (executable));
+let passed = 0;
+let failed = 0;
+for (const [name, run] of chosen) {
+  /** @type {import('./browser.mjs').Opened[]} */
+  const opened = [];
+  try {
+    const note = await run(async (hash, options) => {
+      const page = await openPage(browser, server.url, hash, options);
+      opened.push(page);
+      return page;
+    }, server.url);
+    passed += 1;
+    console.log(`ok ${name}${note ? `: ${note}` : ''}`);
+  } catch (error) {
+    failed += 1;
+    console.log(`FAIL ${name}: ${error instanceof Error ? error.message : error}`);
+    for (const { problems } of opened) if (problems.length > 0) console.log(`  the page said: ${problems.join(' | ')}`);
+  }
+  for (const { close } of opened) await close();
+}
+await browser.close();
+server.close();
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed > 0 ? 1 : 0);
+
+/** @param {string} message @returns {never} */
+function fail(message) {
+  console.error(message);
+  console.log('0 passed, 1 failed');
+  process.exit(1);
+}

@@ -1,0 +1,121 @@
+import { button, h, write } from '../ui/dom.js';
+import { text } from '../ui/strings.en.js';
+import { gist } from '../draw/tree.js';
+import { createTreeFigure } from './treefigure.js';
+
+/** @import { Selection } from '../selection.js' */
+/** @import { Detail } from '../types.js' */
+
+/**
+ * The trees of the swarm: everyone's, one group's, one robot's.
+ *
+ * @param {Selection} selection
+ */
+export function createTreeTab(selection) {
+  const scopes = /** @type {const} */ (['everyone', 'program', 'agent']);
+  const scopeButtons = scopes.map((scope) => button(text.scope[scope], () => choose(scope)));
+  const said = h('p', { class: 'said' });
+  const found = h('output', { class: 'found-count' });
+  const search = h('input', { type: 'search', placeholder: text.tree.search, 'aria-label': text.tree.search });
+  search.addEventListener('input', () => write(found, text.tree.found(figure.search(search.value))));
+  const figure = createTreeFigure({ label: text.tree.label, select: (id) => selection.selectNode(id) });
+  const frame = h('div', { class: 'tree-frame' }, figure.svg);
+  const reached = h('p', { class: 'said small' });
+  const key = h('p', { class: 'status-key', 'aria-hidden': 'true' });
+  const programs = h('ol', { class: 'programs' });
+  const programsTitle = h('h2', {}, text.tree.programs);
+  const behaviours = h('tbody', {});
+  const behaviourTable = h(
+    'table',
+    { class: 'behaviours' },
+    h('caption', {}, text.tree.behaviours),
+    h('thead', {}, h('tr', {}, ...text.tree.behaviourColumns.map((column) => h('th', { scope: 'col' }, column)))),
+    behaviours,
+  );
+  const element = h(
+    'div',
+    { class: 'tab-body' },
+    h('div', { class: 'scopes', role: 'group', 'aria-label': text.scope.label }, ...scopeButtons),
+    said,
+    h('div', { class: 'search' }, search, found),
+    frame,
+    reached,
+    key,
+    programsTitle,
+    programs,
+    behaviourTable,
+  );
+  let lastTop = '';
+
+  /** @param {'everyone' | 'program' | 'agent'} scope */
+  function choose(scope) {
+    if (scope === 'agent' && selection.agent === null) selection.selectAgent(0);
+    else selection.look(scope, scope === 'program' ? (selection.program ?? lastTop) : selection.program);
+  }
+
+  /** @param {Detail} detail */
+  function show(detail) {
+    const { scope } = selection;
+    lastTop = detail.programs.top[0]?.id ?? '';
+    scopes.forEach((name, index) => scopeButtons[index].setAttribute('aria-pressed', String(name === scope)));
+    write(scopeButtons[2], selection.agent === null ? text.scope.agent : text.world.robot(selection.agent));
+    const group = scope !== 'agent';
+    const holders = detail.tree?.agents.length ?? 0;
+    if (scope === 'everyone') write(said, text.tree.everyone(detail.programs.count, detail.programs.top[0]?.agents ?? 0));
+    else if (!detail.tree) write(said, scope === 'program' ? text.tree.gone : text.tree.none);
+    else write(said, scope === 'program' ? text.tree.group(holders) : text.tree.agent(selection.agent ?? 0, holders - 1));
+    if (detail.tree || scope !== 'program') {
+      figure.show(detail.tree?.nodes ?? null, { shape: `${detail.tree?.program ?? 'none'}`, group, selected: selection.node });
+    }
+    write(reached, selection.node === null || !detail.reached ? '' : text.tree.reached(detail.reached.length));
+    write(key, group ? text.tree.groupKey : text.tree.statusKey);
+    for (const part of [programsTitle, programs, behaviourTable]) part.hidden = scope !== 'everyone';
+    if (scope === 'everyone') {
+      showPrograms(detail);
+      showBehaviours(detail);
+    }
+  }
+
+  /** @param {Detail} detail */
+  function showPrograms({ programs: { top } }) {
+    const most = top[0]?.agents ?? 1;
+    while (programs.children.length < top.length) programs.append(programRow());
+    while (programs.children.length > top.length) programs.lastElementChild?.remove();
+    top.forEach(({ id, agents, text: written }, index) => {
+      const row = /** @type {HTMLButtonElement} */ (programs.children[index].firstChild);
+      row.dataset.program = id;
+      row.style.setProperty('--share', String(agents / most));
+      row.title = written;
+      write(row.children[0], agents);
+      write(row.children[1], gist(written));
+    });
+  }
+
+  function programRow() {
+    const row = h('button', { type: 'button', class: 'program' }, h('span', { class: 'held' }), h('span', { class: 'gist' }));
+    row.addEventListener('click', () => selection.look('program', row.dataset.program));
+    return h('li', {}, row);
+  }
+
+  /** @param {Detail} detail */
+  function showBehaviours(detail) {
+    const most = Math.max(1, ...detail.behaviours.map((behaviour) => behaviour.agents));
+    while (behaviours.rows.length < detail.behaviours.length) {
+      const bars = h('div', { class: 'bars', 'aria-hidden': 'true' }, h('i', { class: 'held' }), h('i', { class: 'ticked' }), h('i', { class: 'ok' }));
+      behaviours.append(h('tr', {}, h('th', { scope: 'row' }, h('span', {}), bars), h('td', {}), h('td', {}), h('td', {})));
+    }
+    while (behaviours.rows.length > detail.behaviours.length) behaviours.deleteRow(-1);
+    detail.behaviours.forEach(({ name, agents, ticked, succeeded }, index) => {
+      const { cells } = behaviours.rows[index];
+      write(/** @type {Element} */ (cells[0].firstElementChild), name);
+      const bars = /** @type {HTMLElement} */ (cells[0].lastElementChild);
+      [agents, ticked, succeeded].forEach((count, bar) => {
+        /** @type {HTMLElement} */ (bars.children[bar]).style.width = `${(100 * count) / most}%`;
+        write(cells[bar + 1], count);
+      });
+    });
+  }
+
+  new ResizeObserver(() => figure.fit(frame.clientWidth)).observe(frame);
+  return { element, show, figure };
+}

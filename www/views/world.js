@@ -1,0 +1,187 @@
+import { button, h, s, write } from '../ui/dom.js';
+import { text } from '../ui/strings.en.js';
+import { locate } from '../draw/frame.js';
+import { createTrail } from '../draw/trail.js';
+import { drawWorld, markRadius, scaleOf } from '../draw/world.js';
+import { bindPicking } from './picking.js';
+
+/** @import { Run } from '../run.js' */
+/** @import { State } from '../state.js' */
+/** @import { Selection } from '../selection.js' */
+/** @import { Theme } from '../draw/theme.js' */
+/** @import { View } from '../draw/world.js' */
+
+const TRAIL_LENGTH = 24;
+const LARGEST_ZOOM = 8;
+const FOLLOW_ZOOM = 3;
+
+/**
+ * The world: canvas for what moves, SVG over it for selection and names.
+ *
+ * @param {{ pane: HTMLElement, run: Run, state: State, selection: Selection, theme: () => Theme, drawn: () => void }} parts
+ *   `drawn` is called after each drawing
+ */
+export function createWorldView({ pane, run, state, selection, theme, drawn }) {
+  const canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': text.world.label, 'aria-describedby': 'summary', id: 'canvas' });
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  const places = s('g', { class: 'place-names' });
+  const ring = s('circle', { class: 'selected-ring', hidden: true });
+  const name = s('text', { class: 'selected-name' });
+  const overlay = s('svg', { class: 'overlay', 'aria-hidden': 'true' }, places, ring, name);
+  const tag = h('p', { class: 'tag', id: 'tag' });
+  const zoomBar = h(
+    'div',
+    { class: 'zoom', role: 'group', 'aria-label': text.world.zoom },
+    button(text.world.zoomIn, () => zoomTo(view.camera.zoom * 1.5), { glyph: '+' }),
+    button(text.world.zoomOut, () => zoomTo(view.camera.zoom / 1.5), { glyph: '−' }),
+    button(text.world.zoomFit, () => fit(), { glyph: '⤢' }),
+  );
+  const stage = h('div', { class: 'stage' }, canvas, overlay);
+  const lede = pane.querySelector('.lede') ?? '';
+  pane.append(h('div', { class: 'world-head' }, lede, tag, zoomBar), stage);
+
+  /** @type {View | null} */
+  let ready = null;
+  /** What is drawn; `ready` is null until the first world stands. */
+  const view = /** @type {View} */ ({
+    camera: { x: 0, y: 0, zoom: 1 },
+    size: 0,
+    layers: { robots: true, food: true, carried: true, delivered: true, trails: false },
+  });
+  let pixelRatio = 0;
+  let asked = false;
+  let deliveredShown = -1;
+
+  const world = {
+    view,
+    canvas,
+    overlay,
+    stage,
+    invalidate,
+    zoomTo,
+    fit,
+    /** Whether a world stands. */
+    ready: () => ready !== null,
+  };
+
+  function invalidate() {
+    if (asked) return;
+    asked = true;
+    requestAnimationFrame(draw);
+  }
+
+  function draw() {
+    asked = false;
+    if (!ready || view.size === 0) return;
+    if (pixelRatio !== devicePixelRatio) resize();
+    view.frame = run.frame;
+    if (selection.follow && selection.agent !== null) centreOn(selection.agent);
+    context.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
+    drawWorld(context, view, theme());
+    placeOverlay();
+    drawn();
+  }
+
+  /** @param {number} agent */
+  function centreOn(agent) {
+    const base = view.at.agentStart + agent * view.at.agentStride;
+    view.camera.x = view.frame[base + view.at.x];
+    view.camera.y = view.frame[base + view.at.y];
+  }
+
+  function placeOverlay() {
+    const scale = scaleOf(view);
+    const { camera, size, layout, frame, at } = view;
+    const delivered = frame[at.delivered];
+    layout.places.forEach((place, index) => {
+      const label = places.children[index];
+      if (place.kind === 'hub' && delivered !== deliveredShown) write(label, text.world.hub(delivered, frame[at.total]));
+      label.setAttribute('x', String(size / 2 + (place.x - camera.x) * scale));
+      label.setAttribute('y', String(size / 2 - (place.y + place.radius - camera.y) * scale - 10));
+    });
+    deliveredShown = delivered;
+    const agent = selection.agent;
+    ring.toggleAttribute('hidden', agent === null);
+    if (agent === null) {
+      write(name, '');
+      return;
+    }
+    const base = at.agentStart + agent * at.agentStride;
+    const x = size / 2 + (frame[base + at.x] - camera.x) * scale;
+    const y = size / 2 - (frame[base + at.y] - camera.y) * scale;
+    const radius = markRadius(scale) + 4.5;
+    const toTheLeft = x > size - 90;
+    ring.setAttribute('cx', String(x));
+    ring.setAttribute('cy', String(y));
+    ring.setAttribute('r', String(radius));
+    name.setAttribute('x', String(toTheLeft ? x - radius - 5 : x + radius + 5));
+    name.setAttribute('y', String(Math.max(y - radius, 14)));
+    name.setAttribute('text-anchor', toTheLeft ? 'end' : 'start');
+    write(name, text.world.robot(agent));
+  }
+
+  function resize() {
+    const side = Math.floor(Math.min(stage.clientWidth, stage.clientHeight));
+    pixelRatio = devicePixelRatio;
+    view.size = side;
+    canvas.width = Math.round(side * pixelRatio);
+    canvas.height = canvas.width;
+    overlay.setAttribute('viewBox', `0 0 ${side} ${side}`);
+    invalidate();
+  }
+
+  /** @param {number} zoom */
+  function zoomTo(zoom) {
+    view.camera.zoom = Math.min(Math.max(zoom, 1), LARGEST_ZOOM);
+    if (view.camera.zoom === 1) fit();
+    canvas.classList.toggle('zoomed', view.camera.zoom > 1);
+    invalidate();
+  }
+
+  function fit() {
+    Object.assign(view.camera, { x: 0, y: 0, zoom: 1 });
+    if (selection.follow) selection.toggleFollow();
+    canvas.classList.remove('zoomed');
+    invalidate();
+  }
+
+  run.on('loaded', () => {
+    if (!run.layout) return;
+    view.layout = run.layout;
+    view.at = locate(run.layout);
+    view.trail = createTrail(view.at.agents, TRAIL_LENGTH);
+    view.trail.push(run.frame, view.at, run.tick);
+    view.ringed = new Uint8Array(view.at.agents);
+    ready = view;
+    deliveredShown = -1;
+    places.replaceChildren(...run.layout.places.map((place) => s('text', { 'text-anchor': 'middle' }, text.world.place(place.kind))));
+    if (selection.agent !== null && selection.agent >= view.at.agents) selection.selectAgent(null);
+    invalidate();
+  });
+  run.on('frame', () => {
+    if (ready && run.frame.length === view.layout.length) view.trail.push(run.frame, view.at, run.tick);
+    invalidate();
+  });
+  selection.on(() => {
+    if (selection.follow && view.camera.zoom === 1) zoomTo(FOLLOW_ZOOM);
+    showRinged();
+  });
+  state.on((now, reason) => {
+    if (now !== 'running') write(tag, text.tag(now, reason));
+    tag.classList.toggle('blank', now === 'running');
+  });
+
+  /** Rings the robots whose last tick reached the chosen node. */
+  function showRinged() {
+    if (!ready) return;
+    view.ringed.fill(0);
+    for (const id of selection.reached) view.ringed[id] = 1;
+    invalidate();
+  }
+
+  new ResizeObserver(resize).observe(stage);
+  bindPicking(world, run, selection);
+  return { ...world, showRinged };
+}
+
+/** @typedef {ReturnType<typeof createWorldView>} WorldView */

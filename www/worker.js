@@ -1,0 +1,144 @@
+// Owns the engine and never runs by itself: it answers requests, one at a time, in order.
+// The handler is set before wasm is initialised, or the first request would be lost.
+
+import init, { World, complete, schema, version } from './engine/swarm_playground.js';
+
+/** @typedef {{ id: number, type: string } & Record<string, any>} Request */
+
+const KEYFRAME_TICKS = 64;
+const KEYFRAME_MS = 50;
+const PROGRESS_MS = 60;
+
+const port = /** @type {{ postMessage(message: object, transfer?: Transferable[]): void, onmessage: ((event: MessageEvent) => void) | null }} */ (
+  /** @type {unknown} */ (self)
+);
+
+/** @type {WebAssembly.Memory} */
+let memory;
+/** @type {World | null} */
+let world = null;
+let sinceKeyframe = 0;
+let cancelled = false;
+/** @type {Promise<unknown> | undefined} */
+let ready;
+/** @type {Promise<void>} */
+let queue = Promise.resolve();
+
+port.onmessage = (event) => {
+  const request = /** @type {Request} */ (event.data);
+  if (request.type === 'cancel') {
+    cancelled = true;
+    return;
+  }
+  if (request.type === 'seek') cancelled = false; // here and not when it starts: a cancel may overtake it
+  queue = queue.then(() => answer(request));
+};
+
+/** @param {Request} request */
+async function answer(request) {
+  try {
+    ready ??= init().then((exports) => (memory = exports.memory));
+    await ready;
+    const [message, transfer] = await ANSWERS[request.type](request);
+    port.postMessage({ id: request.id, ...message }, transfer ?? []);
+  } catch (error) {
+    const message = error instanceof Error ? error.message : String(error);
+    const refused = REFUSES.has(request.type) && !(error instanceof WebAssembly.RuntimeError) && !/panicked at/.test(message);
+    port.postMessage({ id: request.id, type: 'error', message, fatal: !refused });
+  }
+}
+
+/** Requests that may fail because of what was asked; any other failure means that the engine is broken. */
+const REFUSES = new Set(['load', 'event', 'complete', 'inspect', 'derive']);
+
+/** @type {Record<string, (request: Request) => [object, Transferable[]?] | Promise<[object, Transferable[]?]>>} */
+const ANSWERS = {
+  hello: () => [{ type: 'hello', version: version(), schema: JSON.parse(schema()) }],
+
+  load({ scenario }) {
+    const next = new World(scenario); // when it throws, the last valid world stays
+    world?.free();
+    world = next;
+    keep();
+    return [{ type: 'loaded', tick: world.tick(), fingerprint: world.fingerprint(), layout: JSON.parse(world.layout()), scenario: JSON.parse(world.scenario()) }];
+  },
+
+  advance({ ticks, budgetMs, buffer }) {
+    const start = performance.now();
+    let done = 0;
+    let fingerprint;
+    while (done < ticks && running().advance(1) === 1) {
+      done += 1;
+      const elapsed = performance.now() - start;
+      if (running().tick() % KEYFRAME_TICKS === 0 || sinceKeyframe + elapsed > KEYFRAME_MS) {
+        keep(elapsed);
+        fingerprint = running().fingerprint();
+      }
+      if (elapsed >= budgetMs) break;
+    }
+    const ms = performance.now() - start;
+    sinceKeyframe += ms;
+    return frame(buffer, done, ms, fingerprint);
+  },
+
+  async seek({ id, tick, buffer }) {
+    const start = performance.now();
+    const from = running().tick();
+    let reported = start;
+    let now = from;
+    while (now !== tick && !cancelled) {
+      const before = now;
+      now = running().seek(tick, KEYFRAME_TICKS - (now % KEYFRAME_TICKS));
+      if (now % KEYFRAME_TICKS === 0) keep();
+      if (now === before) break; // the run ended before the tick asked for
+      if (performance.now() - reported > PROGRESS_MS) {
+        reported = performance.now();
+        port.postMessage({ id, type: 'progress', tick: now, target: tick });
+        await new Promise((resume) => setTimeout(resume)); // lets a cancel through
+      }
+    }
+    return frame(buffer, Math.abs(now - from), performance.now() - start, running().fingerprint());
+  },
+
+  event({ key, value }) {
+    running().set(key, JSON.stringify(value));
+    keep();
+    return [{ type: 'event', tick: running().tick(), scenario: JSON.parse(running().scenario()), fingerprint: running().fingerprint() }];
+  },
+
+  inspect: ({ query }) => [{ type: 'detail', detail: JSON.parse(running().inspect(JSON.stringify(query))) }],
+  derive: ({ codons }) => [{ type: 'derived', derived: JSON.parse(running().derive(JSON.stringify(codons))) }],
+  history: ({ from }) => [{ type: 'history', history: JSON.parse(running().history(from)) }],
+  complete: ({ scenario }) => [{ type: 'completed', scenario: JSON.parse(complete(scenario)) }],
+  fingerprint: () => [{ type: 'fingerprint', tick: running().tick(), hash: running().fingerprint() }],
+};
+
+function running() {
+  if (!world) throw new Error('no scenario is loaded');
+  return world;
+}
+
+/** Stores the present state in the timeline. @param {number} [elapsed] computing time already counted */
+function keep(elapsed = 0) {
+  running().keyframe();
+  sinceKeyframe = -elapsed;
+}
+
+/**
+ * Copies the frame into a buffer that travels back to the page.
+ *
+ * @param {ArrayBuffer | undefined} buffer
+ * @param {number} done
+ * @param {number} ms
+ * @param {string} [fingerprint]
+ * @returns {[object, Transferable[]]}
+ */
+function frame(buffer, done, ms, fingerprint) {
+  const pointer = running().frame_pointer();
+  const length = running().frame_length();
+  const source = new Float32Array(memory.buffer, pointer, length); // memory growth detaches older views
+  const target = buffer?.byteLength === source.byteLength ? buffer : new ArrayBuffer(source.byteLength);
+  new Float32Array(target).set(source);
+  const answered = { type: 'frame', tick: running().tick(), done, finished: running().finished() ?? null, buffer: target, ms, fingerprint };
+  return [answered, [target]];
+}

@@ -5,8 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use rand::RngExt;
 use swarm_playground::evolution::{
-    Cases, Genome, Grammar, Invalid, Limits, Mapped, Mapper, Mutation, Phenotype, best_share, one_point_crossover,
-    tournament,
+    Cases, Genome, Grammar, Invalid, Limits, Mapped, Mapper, Mutation, Phenotype, fittest, fixed_one_point, tournament,
+    variable_one_point,
 };
 use swarm_playground::random::{Purpose, Seed, Stream, stream};
 
@@ -113,13 +113,30 @@ fn a_line_that_begins_with_a_bar_continues_the_rule() {
 #[test]
 fn truncation_takes_the_best_and_of_equal_ones_the_first() {
     let (mut scratch, mut parents) = (vec![], vec![]);
-    best_share(&[1.0, f64::NAN, 3.0, 2.0, 3.0, 2.0, 2.0], 0.6, &mut scratch, &mut parents);
-    // 7 x 0.6 = 4.2, so four: both 3.0 and the first two 2.0.
+    fittest(&[1.0, f64::NAN, 3.0, 2.0, 3.0, 2.0, 2.0], 4, &mut scratch, &mut parents);
+    // Both 3.0 and the first two 2.0.
     assert_eq!(parents, [2, 3, 4, 5]);
-    best_share(&[1.0, f64::NAN, 0.5], 0.1, &mut scratch, &mut parents);
+    fittest(&[1.0, f64::NAN, 0.5], 2, &mut scratch, &mut parents);
     assert_eq!(parents, [0, 2]);
-    best_share(&[f64::NAN], 0.5, &mut scratch, &mut parents);
+    fittest(&[f64::NAN], 2, &mut scratch, &mut parents);
     assert_eq!(parents, [0]);
+    fittest(&[1.0, 2.0], 0, &mut scratch, &mut parents);
+    assert!(parents.is_empty());
+}
+
+#[test]
+fn fixed_crossover_keeps_the_length() {
+    let mut rng = rng(6);
+    let mother = Genome { codons: (0..10).collect(), used: 9 };
+    let father = Genome { codons: (100..110).collect(), used: 5 };
+    let (mut a, mut b) = (Genome::default(), Genome::default());
+    for _ in 0..100 {
+        fixed_one_point(&mut rng, [&mother, &father], 25, [&mut a, &mut b]);
+        let cut = a.codons.iter().take_while(|&&codon| codon < 100).count();
+        assert!((1..=5).contains(&cut));
+        let expected: Vec<u16> = (0..cut as u16).chain(100 + cut as u16..110).collect();
+        assert_eq!((a.codons.as_slice(), b.codons.len()), (expected.as_slice(), 10));
+    }
 }
 
 #[test]
@@ -138,7 +155,7 @@ fn crossover_exchanges_the_tails_behind_cuts_in_the_used_part() {
     let (mut a, mut b) = (Genome::default(), Genome::default());
     let mut seen = [[false; 5]; 3];
     for _ in 0..200 {
-        one_point_crossover(&mut rng, [&mother, &father], 25, [&mut a, &mut b]);
+        variable_one_point(&mut rng, [&mother, &father], 25, [&mut a, &mut b]);
         let cut = a.codons.iter().take_while(|&&codon| codon < 100).count();
         let other = b.codons.iter().take_while(|&&codon| codon >= 100).count();
         assert!((1..=4).contains(&cut) && (1..=2).contains(&other));
@@ -156,7 +173,9 @@ fn changed_share(mutation: &Mutation, before: u16, rng: &mut Stream) -> f64 {
     for _ in 0..2000 {
         let mut codons = [before; 50];
         let mut mutating = mutation.begin(rng);
-        codons.iter_mut().for_each(|codon| mutating.pass(codon));
+        for codon in &mut codons {
+            mutating.pass(codon);
+        }
         changed += codons.iter().map(|codon| (codon ^ before).count_ones()).sum::<u32>();
     }
     f64::from(changed) / (2000.0 * 50.0)
@@ -189,8 +208,8 @@ fn mutation_touches_only_what_the_mapping_reads() {
     let mut codons = vec![0_u16; 6];
     let mut phenotype = Phenotype::new(&grammar);
     let limits = Limits { max_wraps: 0, max_depth: 9 };
-    let mapped = mapper.map((codons.as_mut_slice(), mutation.begin(&mut rng)), limits, &mut phenotype).expect("valid");
-    assert_eq!(mapped.used, 3);
+    let result = mapper.map((codons.as_mut_slice(), mutation.begin(&mut rng)), limits, &mut phenotype).expect("valid");
+    assert_eq!(result.used, 3);
     assert_eq!(codons, [255, 255, 255, 0, 0, 0]);
     assert_eq!(phenotype.text, "yy");
     assert!(rng.random_bool(1.0));

@@ -41,10 +41,11 @@ fn nothing_in_src_points_upward() {
         let text = fs::read_to_string(&path).expect("readable");
         for (number, line) in text.lines().enumerate() {
             for rest in line.split("crate::").skip(1).filter(|_| !line.trim_start().starts_with("//")) {
-                let used = rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().expect("a word");
+                let module = rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().expect("a word");
                 uses += 1;
-                let upward = floor(used) > floor(own) || (floor(used) == floor(own) && used != own && floor(own) > 0);
-                assert!(!upward, "{}:{}: {own} uses {used}", path.display(), number + 1);
+                let upward =
+                    floor(module) > floor(own) || (floor(module) == floor(own) && module != own && floor(own) > 0);
+                assert!(!upward, "{}:{}: {own} uses {module}", path.display(), number + 1);
             }
         }
     }

@@ -12,4 +12,4 @@ pub use cases::{CaseVerdict, Cases};
 pub use genome::Genome;
 pub use grammar::{AlternativeId, Grammar, GrammarError, Place, RuleId, Symbol, TerminalId};
 pub use mapping::{Codons, Derivation, Invalid, Limits, Mapped, Mapper, Phenotype};
-pub use operators::{Mutating, Mutation, best_share, one_point_crossover, tournament};
+pub use operators::{Mutating, Mutation, fittest, fixed_one_point, tournament, variable_one_point};

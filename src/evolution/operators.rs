@@ -4,32 +4,31 @@ use super::Genome;
 use crate::random::Stream;
 use rand::RngExt;
 
-/// Truncation selection: fills `parents` with the indices of the best `share` of `fitness`, in rising order.
+/// Truncation selection: fills `chosen` with the indices of the `count` best of `fitness`, in rising order.
 ///
 /// Of equal ones at the border the earlier ones are taken.
 ///
 /// - `fitness`: any reals; NaN, the fitness of an invalid individual, is below every number.
-/// - `share`: in (0, 1]; the number of parents is rounded down, but at least 2 (or all, when there are fewer).
+/// - `count`: all are taken when there are fewer.
 /// - `scratch`: memory for the search; what it holds does not matter.
-pub fn best_share(fitness: &[f64], share: f64, scratch: &mut Vec<f64>, parents: &mut Vec<u32>) {
-    let count = ((fitness.len() as f64 * share) as usize).max(2).min(fitness.len());
+pub fn fittest(fitness: &[f64], count: usize, scratch: &mut Vec<f64>, chosen: &mut Vec<u32>) {
+    let count = count.min(fitness.len());
     let key = |value: f64| if value.is_nan() { f64::NEG_INFINITY } else { value };
-    parents.clear();
+    chosen.clear();
     if count == 0 {
         return;
     }
     scratch.clear();
     scratch.extend(fitness.iter().map(|&value| key(value)));
-    // The value of the last parent is the same whatever way the search takes; its order is not, and is not used.
+    // The value of the last one is the same whatever way the search takes; its order is not, and is not used.
     let (_, &mut border, _) = scratch.select_nth_unstable_by(count - 1, |a, b| b.total_cmp(a));
-    let above = fitness.iter().filter(|&&value| key(value) > border).count();
-    let mut at_border = count - above;
+    let mut at_border = count - fitness.iter().filter(|&&value| key(value) > border).count();
     for (index, &value) in fitness.iter().enumerate() {
         let value = key(value);
         if value > border {
-            parents.push(index as u32);
+            chosen.push(index as u32);
         } else if value >= border && at_border > 0 {
-            parents.push(index as u32);
+            chosen.push(index as u32);
             at_border -= 1;
         }
     }
@@ -57,8 +56,20 @@ pub fn tournament(rng: &mut Stream, fitness: &[f64], size: u32) -> usize {
 /// each parent, so that both heads have at least one codon. A child longer than `longest` loses its end.
 ///
 /// Source: BeTr-GEESE, Table 1 ("variable onepoint"); cuts within the used part as in `PonyGE2`.
-pub fn one_point_crossover(rng: &mut Stream, parents: [&Genome; 2], longest: u16, children: [&mut Genome; 2]) {
+pub fn variable_one_point(rng: &mut Stream, parents: [&Genome; 2], longest: u16, children: [&mut Genome; 2]) {
     let cuts = parents.map(|parent| rng.random_range(1..=parent.active().max(1) as u32) as usize);
+    exchange_tails(parents, cuts, longest, children);
+}
+
+/// Fixed one-point crossover: both parents are cut at the same random point within the shorter active part, so that
+/// parents of equal length have children of that length. Otherwise as [`variable_one_point`].
+pub fn fixed_one_point(rng: &mut Stream, parents: [&Genome; 2], longest: u16, children: [&mut Genome; 2]) {
+    let shorter = parents[0].active().min(parents[1].active()).max(1);
+    let cut = rng.random_range(1..=shorter as u32) as usize;
+    exchange_tails(parents, [cut; 2], longest, children);
+}
+
+fn exchange_tails(parents: [&Genome; 2], cuts: [usize; 2], longest: u16, children: [&mut Genome; 2]) {
     for (child, (head, tail)) in children.into_iter().zip([(0, 1), (1, 0)]) {
         child.used = 0;
         child.codons.clear();

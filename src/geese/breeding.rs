@@ -1,9 +1,9 @@
 //! The act phase: parents from the pool, children by crossover and mutation, the most diverse child.
 
 use super::mind::{Entry, Mind};
-use super::params::{MutationMode, Params, ParentSelection};
+use super::params::{CrossoverMode, GenomeSelection, MutationMode, Params, ParentSelection};
 use super::program::{Compiler, Survey};
-use crate::evolution::{Genome, Mutation, best_share, one_point_crossover, tournament};
+use crate::evolution::{Genome, Mutation, fittest, fixed_one_point, tournament, variable_one_point};
 use crate::random::Stream;
 use rand::RngExt;
 
@@ -71,8 +71,8 @@ impl Breeder {
         })
     }
 
-    /// Breeds from the pool and the agent's own genome; returns the child of highest diversity, the first of equal
-    /// ones, or `None` when every child maps to nothing.
+    /// Breeds from the pool and the agent's own genome; returns the most diverse of elite and children, the first of
+    /// equal ones, or `None` when there is no elite and every child maps to nothing.
     ///
     /// - `own`: the agent's mind; it stands last in the pool.
     /// - `stored`: the agent's storage, to which the pool's [`Source::Stored`] points.
@@ -93,17 +93,38 @@ impl Breeder {
             Some(&Source::Met(agent)) => &minds[agent as usize].genome,
             None => &own.genome,
         };
+        let diversity_of = |index: u32| match pool.get(index as usize) {
+            Some(&Source::Stored(at)) => stored[at as usize].diversity,
+            Some(&Source::Met(agent)) => minds[agent as usize].diversity,
+            None => own.diversity,
+        };
         fitness.clear();
         fitness.extend(pool.iter().map(|source| match *source {
             Source::Stored(at) => stored[at as usize].fitness,
             Source::Met(agent) => minds[agent as usize].fitness,
         }));
         fitness.push(own.fitness);
-        best_share(fitness, params.parent_share, sorted, parents);
 
-        let mut found: Option<Survey> = None;
+        // The elite is kept by fitness and stands before the children, so it wins where they are no more diverse.
+        let mut found: Option<f64> = None;
+        fittest(fitness, params.elite_size as usize, sorted, parents);
+        for &elite in parents.iter() {
+            let diversity = diversity_of(elite);
+            if found.is_none_or(|best| diversity > best) {
+                found = Some(diversity);
+                best.clone_from(genome_of(elite));
+            }
+        }
+
+        fittest(fitness, parent_count(fitness.len(), params.parent_share), sorted, parents);
+        let greatest = compiler.greatest_diversity();
+        // No later child can be better than the greatest, and the first of equal ones is taken: the rest need no look.
+        let is_decided = |found: Option<f64>| match params.genome_selection {
+            GenomeSelection::Diversity => found.is_some_and(|best| best >= greatest),
+            GenomeSelection::Random => found.is_some(),
+        };
         let mut bred = 0;
-        while bred < params.children {
+        while bred < params.children && !is_decided(found) {
             let pair = match params.parent_selection {
                 ParentSelection::Truncation => {
                     two_different(rng, parents.len() as u32).map(|place| parents[place as usize])
@@ -113,7 +134,11 @@ impl Breeder {
             let [a, b] = pair.map(genome_of);
             let [first, second] = &mut *children;
             if rng.random_bool(params.crossover_probability) {
-                one_point_crossover(rng, [a, b], params.genome_length, [&mut *first, &mut *second]);
+                let crossover = match params.crossover_mode {
+                    CrossoverMode::VariableOnePoint => variable_one_point,
+                    CrossoverMode::FixedOnePoint => fixed_one_point,
+                };
+                crossover(rng, [a, b], params.genome_length, [&mut *first, &mut *second]);
             } else {
                 first.clone_from(a);
                 second.clone_from(b);
@@ -121,20 +146,23 @@ impl Breeder {
             for child in [first, second].into_iter().take((params.children - bred) as usize) {
                 bred += 1;
                 let Some(survey) = compiler.survey(child, Some(mutation.begin(rng))) else { continue };
-                let names = survey.names.count_ones();
-                if found.is_none_or(|best| names > best.names.count_ones()) {
-                    found = Some(survey);
+                let diversity = compiler.diversity(survey.names);
+                if found.is_none_or(|best| diversity > best) {
+                    found = Some(diversity);
                     std::mem::swap(best, child);
                 }
-                if names >= compiler.most_names() {
-                    // No later child can be better, and the first of equal ones is taken: the rest need no look.
-                    bred = params.children;
+                if is_decided(found) {
                     break;
                 }
             }
         }
-        found.map(|survey| Best { genome: best, diversity: compiler.diversity(survey.names) })
+        found.map(|diversity| Best { genome: best, diversity })
     }
+}
+
+/// How many of a pool become parents: the share, rounded down, but two at least.
+fn parent_count(pool: usize, share: f64) -> usize {
+    ((pool as f64 * share) as usize).max(2)
 }
 
 fn mutation(params: &Params) -> Mutation {

@@ -29,7 +29,8 @@ pub use inspect::{Detail, Query};
 pub use language::LanguageError;
 pub use leaf::{Leaf, Name, Object, Tag, Takes};
 pub use params::{
-    DropRule, ExploreHeading, IsDropable, MovesPerStep, MutationMode, Params, ParentSelection, StorageContent, SwapRule,
+    CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, MovesPerStep, MutationMode, Params,
+    ParentSelection, StorageContent, SwapRule,
 };
 pub use program::{Compiler, CompilerError, Survey, program_text};
 pub use schema::{GRAMMAR, PARAMETERS};

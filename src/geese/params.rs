@@ -34,7 +34,10 @@ pub struct Params {
     pub parent_selection: ParentSelection,
     pub parent_share: f64,
     pub tournament_size: u32,
+    pub elite_size: u32,
     pub children: u32,
+    pub genome_selection: GenomeSelection,
+    pub crossover_mode: CrossoverMode,
     pub crossover_probability: f64,
     pub mutation_mode: MutationMode,
     pub mutation_probability: f64,
@@ -104,6 +107,26 @@ pub enum ParentSelection {
     Tournament,
 }
 
+/// Which child may become the agent's program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum GenomeSelection {
+    /// The most diverse one.
+    Diversity,
+    /// The first that maps to a program: no selection.
+    Random,
+}
+
+/// Where two parents are cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum CrossoverMode {
+    /// Each at its own place.
+    VariableOnePoint,
+    /// Both at the same place.
+    FixedOnePoint,
+}
+
 /// What one mutation changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -157,7 +180,10 @@ impl Default for Params {
             parent_selection: ParentSelection::Truncation,
             parent_share: 0.5,
             tournament_size: 2,
+            elite_size: 0,
             children: 24,
+            genome_selection: GenomeSelection::Diversity,
+            crossover_mode: CrossoverMode::VariableOnePoint,
             crossover_probability: 0.9,
             mutation_mode: MutationMode::Bit,
             mutation_probability: 0.01,

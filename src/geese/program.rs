@@ -131,10 +131,10 @@ impl Compiler {
         mapped.ok().map(|_| Survey { names: names.set })
     }
 
-    /// The most names that a program within the depth limit can have.
+    /// The greatest diversity that a program within the depth limit can have.
     #[must_use]
-    pub fn most_names(&self) -> u32 {
-        self.most_names
+    pub fn greatest_diversity(&self) -> f64 {
+        f64::from(self.most_names) / f64::from(self.vocabulary.count_ones().max(1))
     }
 
     /// Builds the tree of a genome into `tree`, whose memory is used again.

@@ -17,7 +17,8 @@
 //!
 //! A module uses what stands above it, never what stands below.
 //!
-//! - [`random`], [`fingerprint`], [`parameter`], [`nearest`]: streams, state hashes, the form of a parameter, spelling.
+//! - [`random`], [`fingerprint`], [`parameter`], [`nearest`], [`verdict`]: streams, state hashes, the form of a
+//!   parameter, spelling, how a case came out.
 //! - [`bt`]: behaviour trees. [`evolution`]: grammatical evolution. Neither knows a world.
 //! - [`geese`]: the foraging swarm that evolves its behaviour trees.
 //! - [`scenario`]: the one JSON description of a run, and runs that can be sought through.
@@ -31,5 +32,6 @@ pub mod nearest;
 pub mod parameter;
 pub mod random;
 pub mod scenario;
+pub mod verdict;
 #[cfg(target_arch = "wasm32")]
 pub mod web;

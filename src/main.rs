@@ -8,8 +8,9 @@ use std::io::{IsTerminal, Write, stderr, stdout};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
-use swarm_playground::evolution::Cases;
+use swarm_playground::bt::xml::{self, Manifest, Problem};
 use swarm_playground::scenario::{Run, Scenario, schema};
+use swarm_playground::{bt, evolution};
 
 /// Evolve, search for and coach the behaviour of groups of agents.
 #[derive(Parser)]
@@ -39,6 +40,11 @@ enum Command {
         #[command(subcommand)]
         what: Conform,
     },
+    /// Check, format or draw behaviour trees in BehaviorTree.CPP's XML
+    Tree {
+        #[command(subcommand)]
+        what: TreeCommand,
+    },
     /// Measure how fast a scenario runs and print the result as one line of JSON
     Bench {
         /// A scenario file
@@ -56,6 +62,30 @@ enum Conform {
         /// The cases file
         file: PathBuf,
     },
+    /// Behaviour-tree cases (schema bt-oracle/1)
+    Bt {
+        /// The cases file
+        file: PathBuf,
+    },
+}
+
+#[derive(Subcommand)]
+enum TreeCommand {
+    /// Say whether a file is valid, and every fault with its place
+    Check {
+        /// The XML file
+        file: PathBuf,
+    },
+    /// Print the file in its canonical form
+    Format {
+        /// The XML file
+        file: PathBuf,
+    },
+    /// Print a drawing of the trees as SVG
+    Svg {
+        /// The XML file
+        file: PathBuf,
+    },
 }
 
 /// What went wrong: input that is refused, or cases that failed.
@@ -68,7 +98,8 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Run { scenario, seed, steps } => run(&scenario, seed, steps),
         Command::Schema => print(&format!("{:#}", schema())),
-        Command::Conform { what: Conform::Evolution { file } } => conform(&file),
+        Command::Conform { what } => conform(&what),
+        Command::Tree { what } => tree(&what),
         Command::Bench { scenario, steps } => bench(&scenario, steps),
     };
     match result {
@@ -164,10 +195,14 @@ impl Progress {
     }
 }
 
-fn conform(path: &Path) -> Result<(), Failure> {
-    let text = read_file(path)?;
-    let cases = Cases::read(&text).map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
-    let verdicts = cases.run();
+fn conform(what: &Conform) -> Result<(), Failure> {
+    let (Conform::Evolution { file } | Conform::Bt { file }) = what;
+    let text = read_file(file)?;
+    let verdicts = match what {
+        Conform::Evolution { .. } => evolution::Cases::read(&text).map(|cases| cases.run()),
+        Conform::Bt { .. } => bt::Cases::read(&text).map(|cases| cases.run()),
+    };
+    let verdicts = verdicts.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
     for verdict in &verdicts {
         match &verdict.fault {
             None => print(&format!("ok {}", verdict.id))?,
@@ -177,6 +212,29 @@ fn conform(path: &Path) -> Result<(), Failure> {
     let failed = verdicts.iter().filter(|verdict| verdict.fault.is_some()).count();
     print(&format!("{} passed, {failed} failed", verdicts.len() - failed))?;
     if failed == 0 { Ok(()) } else { Err(Failure::Cases) }
+}
+
+fn tree(what: &TreeCommand) -> Result<(), Failure> {
+    let (TreeCommand::Check { file } | TreeCommand::Format { file } | TreeCommand::Svg { file }) = what;
+    let text = read_file(file)?;
+    let manifest = Manifest::default();
+    let place = |problem: &Problem| format!("{}: {problem}", file.display());
+    let (document, warnings) = xml::read(&text, &manifest).map_err(|problems| {
+        let lines: Vec<String> = problems.iter().map(place).collect();
+        Failure::Input(lines.join("\nswarm-playground: "))
+    })?;
+    match what {
+        TreeCommand::Check { .. } => {
+            for warning in &warnings {
+                print(&format!("warning: {}", place(warning)))?;
+            }
+            let mut nodes = 0;
+            document.each(&mut |_| nodes += 1);
+            print(&format!("{}: valid, {nodes} nodes in {} trees", file.display(), document.trees.len()))
+        }
+        TreeCommand::Format { .. } => print(xml::write(&document, &manifest).trim_end()),
+        TreeCommand::Svg { .. } => print(bt::draw_svg(&document).trim_end()),
+    }
 }
 
 #[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]

@@ -5,8 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use swarm_playground::bt::Status::{Failure, Running, Skipped, Success};
 use swarm_playground::bt::{
-    BuildError, Builder, Host, Kind, Memory, NodeId, Silent, Status, TickError, Tree, halt_tree, tick_exactly_once,
-    tick_once,
+    BuildError, Builder, Builtin, Host, Kind, Memory, NodeId, Ports, Silent, Status, Tree, halt_tree,
+    tick_exactly_once, tick_once,
 };
 
 /// Leaves that return the statuses of a script, the last one again and again.
@@ -18,7 +18,7 @@ struct Script {
 }
 
 impl Host<usize> for Script {
-    fn tick(&mut self, _node: NodeId, leaf: &usize) -> Status {
+    fn tick(&mut self, _node: NodeId, leaf: &usize, _ports: &mut Ports) -> Status {
         let script = &self.statuses[*leaf];
         let status = script[self.ticked[*leaf].min(script.len() - 1)];
         self.ticked[*leaf] += 1;
@@ -35,6 +35,10 @@ struct Bench {
     tree: Tree<usize>,
     memory: Memory,
     script: Script,
+}
+
+fn parallel(success_count: i32, failure_count: i32) -> Kind<usize> {
+    Builtin::Parallel { success_count: success_count.into(), failure_count: failure_count.into() }.into()
 }
 
 /// A tree of `kind` over one leaf for each script.
@@ -123,24 +127,25 @@ fn skipped_children_are_absent_and_all_skipped_is_skipped() {
 
 #[test]
 fn parallel_ends_with_its_thresholds_and_halts_the_rest() {
-    let two_of_three = || Kind::Parallel { success_count: -2, failure_count: 1 };
+    let two_of_three = || parallel(-2, 1);
     let mut first = bench(two_of_three(), &[&[Running], &[Success], &[Running, Success]]);
     assert_eq!(first.pass(), (Running, vec![0, 1, 2], vec![]));
     assert_eq!(first.pass(), (Success, vec![0, 2], vec![0]), "the completed child is not ticked again");
     let mut second = bench(two_of_three(), &[&[Running], &[Failure], &[Success]]);
     assert_eq!(second.pass(), (Failure, vec![0, 1], vec![0]), "children after the deciding one are not ticked");
     // Three of three needed: one failure makes them out of reach, though two failures would be allowed.
-    let all = Kind::Parallel { success_count: 3, failure_count: 3 };
+    let all = parallel(3, 3);
     assert_eq!(bench(all, &[&[Failure], &[Running], &[Running]]).pass(), (Failure, vec![0], vec![]));
 }
 
 #[test]
 fn a_parallel_threshold_above_the_children_is_an_error_of_the_tick() {
-    let mut bench = bench(Kind::Parallel { success_count: 3, failure_count: 1 }, &[&[Success], &[Success]]);
+    let mut bench = bench(parallel(3, 1), &[&[Success], &[Success]]);
     let result = tick_once(&bench.tree, &mut bench.memory, &mut bench.script, &mut Silent);
-    let error = TickError::Threshold(NodeId(0), 3, 2);
-    assert_eq!(error.to_string(), "node 0: expected a threshold of at most 2, the number of children, found 3");
-    assert_eq!(result, Err(error));
+    assert_eq!(
+        result.expect_err("there are two children").to_string(),
+        "node 0 (Parallel): port success_count: expected at most 2, the number of children, found 3"
+    );
     assert_eq!(bench.memory.status(NodeId(0)), Status::Idle);
 }
 
@@ -164,7 +169,7 @@ fn halting_the_tree_tells_running_leaves_once() {
     let mut bench = bench(Kind::Sequence, &[&[Success], &[Running]]);
     bench.pass();
     for expected in [vec![1], vec![]] {
-        halt_tree(&bench.tree, &mut bench.memory, &mut bench.script, &mut Silent);
+        halt_tree(&bench.tree, &mut bench.memory, &mut bench.script, &mut Silent).expect("no script");
         assert_eq!(std::mem::take(&mut bench.script.halts), expected);
     }
     assert_eq!(bench.pass().1, [0, 1], "it starts afresh");

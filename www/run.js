@@ -33,7 +33,7 @@ export function createRun(engine, state) {
   let queue = Promise.resolve();
   /** @type {number | null} the tick the scrubber asked for last */
   let wanted = null;
-  const pace = createPace(20);
+  const pace = createPace(30);
 
   const run = {
     /** @type {Scenario} */

@@ -4,11 +4,11 @@
 //! what each node returned, and [`Silent`] makes headless runs pay nothing for that.
 //!
 //! ```
-//! use swarm_playground::bt::{tick_once, Builder, Kind, Memory, Host, NodeId, Silent, Status};
+//! use swarm_playground::bt::{tick_once, Builder, Kind, Memory, Host, NodeId, Ports, Silent, Status};
 //!
 //! struct World { hungry: bool }
 //! impl Host<&'static str> for World {
-//!     fn tick(&mut self, _node: NodeId, leaf: &&'static str) -> Status {
+//!     fn tick(&mut self, _node: NodeId, leaf: &&'static str, _ports: &mut Ports) -> Status {
 //!         match *leaf {
 //!             "is hungry" => Status::completed(self.hungry),
 //!             _ => { self.hungry = false; Status::Success }
@@ -29,13 +29,30 @@
 //! # Ok::<(), swarm_playground::bt::BuildError>(())
 //! ```
 
+pub mod blackboard;
+mod builtin;
+mod cases;
+mod compile;
+mod control;
+mod decorator;
+mod drawing;
+mod memory;
 mod recorder;
+pub mod script;
 mod tick;
 mod tree;
+mod value;
+pub mod xml;
 
+pub use builtin::{BoundScript, Builtin, Extra, Key, LoopType, Source};
+pub use cases::Cases;
+pub use compile::{HostLeaf, compile};
+pub use drawing::draw_svg;
+pub use memory::{Memory, Ports};
 pub use recorder::{Recorder, Silent};
-pub use tick::{Host, Memory, TickError, halt_tree, tick_exactly_once, tick_once};
+pub use tick::{Host, TickError, halt_tree, pass_time, tick_exactly_once, tick_once};
 pub use tree::{BuildError, Builder, Children, Kind, Node, NodeId, Tree};
+pub use value::Value;
 
 /// What a node returned, or IDLE when it returned nothing since its parent was reset.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -4,78 +4,41 @@
 //! child; a node that completes resets its children (RUNNING ones are halted); SKIPPED is told to the parent
 //! but not remembered; the root is reset after it completes, so the next tick starts afresh.
 
-use super::{Kind, NodeId, Recorder, Status, Tree};
+use super::builtin::{BoundScript, Builtin, Extra, Source};
+use super::memory::{Memory, Ports, Slot};
+use super::{Kind, NodeId, Recorder, Status, Tree, Value};
 use std::fmt;
 
 /// Runs the leaves of a world.
 pub trait Host<L> {
     /// Ticks one leaf and returns its status, which is never IDLE.
-    fn tick(&mut self, node: NodeId, leaf: &L) -> Status;
+    fn tick(&mut self, node: NodeId, leaf: &L, ports: &mut Ports) -> Status;
 
     /// Stops a leaf that had returned RUNNING; worlds without RUNNING leaves need nothing here.
     fn halt(&mut self, _node: NodeId, _leaf: &L) {}
 }
 
-/// What a tree remembers between ticks: one slot for each node.
-#[derive(Clone, Debug, Default)]
-pub struct Memory {
-    slots: Vec<Slot>,
-    /// Raised by nodes that give the control back between children that were done at once.
-    wake_up: bool,
-}
-
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Slot {
-    status: Status,
-    /// The child to continue with; 0 means the first (no node is its own child). Parallel: failures so far.
-    cursor: u32,
-    /// Children skipped since the node started. Parallel: successes so far.
-    count: u32,
-}
-
-impl Memory {
-    /// Fresh memory for `tree`: every node IDLE.
-    #[must_use]
-    pub fn for_tree<L>(tree: &Tree<L>) -> Self {
-        let mut memory = Self::default();
-        memory.fit(tree);
-        memory
-    }
-
-    /// Forgets everything and takes the size of `tree`; allocates only for a larger tree than ever before.
-    pub fn fit<L>(&mut self, tree: &Tree<L>) {
-        self.slots.clear();
-        self.slots.resize(tree.nodes().len(), Slot::default());
-        self.wake_up = false;
-    }
-
-    /// The remembered status of `node`: IDLE unless it or a parent of it is RUNNING.
-    #[must_use]
-    pub fn status(&self, node: NodeId) -> Status {
-        self.slots[node.index()].status
-    }
-}
-
-/// Why a tick ended without a status.
+/// Why a tick ended without a status: the node and the cause.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum TickError {
-    /// A Parallel asks for more successes or failures than it has children: node, threshold, children.
-    Threshold(NodeId, u32, u32),
+pub struct TickError {
+    /// The node whose tick failed.
+    pub node: NodeId,
+    /// Its kind's name and, where it has one, its own.
+    pub name: String,
+    /// What was found and what was expected.
+    pub cause: String,
 }
 
 impl fmt::Display for TickError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Threshold(node, threshold, children) => write!(
-                out,
-                "node {}: expected a threshold of at most {children}, the number of children, found {threshold}",
-                node.0
-            ),
-        }
+        write!(out, "node {} ({}): {}", self.node.0, self.name, self.cause)
     }
 }
 
 impl std::error::Error for TickError {}
+
+/// Passes of one [`tick_once`]: a tree that wakes itself up again and again is stopped, where the reference hangs.
+const MOST_PASSES: u32 = 10_000;
 
 /// Makes one pass from the root and returns the root's status; SKIPPED leaves the root IDLE.
 ///
@@ -91,76 +54,120 @@ pub fn tick_exactly_once<L, H: Host<L>, R: Recorder>(
     recorder: &mut R,
 ) -> Result<Status, TickError> {
     debug_assert_eq!(memory.slots.len(), tree.nodes().len(), "memory of another tree");
-    let mut ticking = Ticking { tree, memory, host, recorder };
-    let result = ticking.tick(NodeId(0));
-    match result {
+    let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
+    let mut result = ticking.tick(NodeId(0));
+    match &result {
         Ok(status) if status.is_completed() => ticking.slot(NodeId(0)).status = Status::Idle,
         Ok(_) => {}
         Err(_) => ticking.halt_child(NodeId(0)),
     }
+    if let (Some(fault), true) = (ticking.fault.take(), result.is_ok()) {
+        result = Err(fault);
+        ticking.halt_child(NodeId(0));
+    }
     result
 }
 
-/// As [`tick_exactly_once`], and again while the root is RUNNING and a node has given the control back on purpose.
+/// As [`tick_exactly_once`], and again while the root is RUNNING and a wake-up is pending.
 ///
 /// # Errors
-/// As [`tick_exactly_once`].
+/// As [`tick_exactly_once`]; also when the tree wakes itself up without an end.
 pub fn tick_once<L, H: Host<L>, R: Recorder>(
     tree: &Tree<L>,
     memory: &mut Memory,
     host: &mut H,
     recorder: &mut R,
 ) -> Result<Status, TickError> {
-    loop {
+    for _ in 0..MOST_PASSES {
         let status = tick_exactly_once(tree, memory, host, recorder)?;
         if status != Status::Running || !std::mem::take(&mut memory.wake_up) {
             return Ok(status);
         }
     }
+    let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
+    ticking.halt_child(NodeId(0));
+    Err(ticking.error(NodeId(0), format!("expected an end within {MOST_PASSES} passes of one tick, found none")))
 }
 
 /// Halts the whole tree: RUNNING leaves are told, every node becomes IDLE.
-pub fn halt_tree<L, H: Host<L>, R: Recorder>(tree: &Tree<L>, memory: &mut Memory, host: &mut H, recorder: &mut R) {
-    Ticking { tree, memory, host, recorder }.halt_child(NodeId(0));
+///
+/// # Errors
+/// An `_onHalted` script failed; the tree is halted all the same.
+pub fn halt_tree<L, H: Host<L>, R: Recorder>(
+    tree: &Tree<L>,
+    memory: &mut Memory,
+    host: &mut H,
+    recorder: &mut R,
+) -> Result<(), TickError> {
+    let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
+    ticking.halt_child(NodeId(0));
+    ticking.reset_children(NodeId(0));
+    ticking.fault.map_or(Ok(()), Err)
 }
 
-struct Ticking<'a, L, H, R> {
-    tree: &'a Tree<L>,
-    memory: &'a mut Memory,
-    host: &'a mut H,
-    recorder: &'a mut R,
+/// Lets `milliseconds` of simulated time pass. A Timeout that comes due halts its child now and fails with the next
+/// tick; every timer that comes due raises the wake-up.
+///
+/// # Errors
+/// An `_onHalted` script failed; the time has passed all the same.
+pub fn pass_time<L, H: Host<L>, R: Recorder>(
+    tree: &Tree<L>,
+    memory: &mut Memory,
+    host: &mut H,
+    recorder: &mut R,
+    milliseconds: u64,
+) -> Result<(), TickError> {
+    let before = memory.now;
+    memory.now = memory.now.saturating_add(milliseconds);
+    let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
+    for node in (0..ticking.memory.timers.len() as u32).map(NodeId) {
+        let Some(due) = ticking.memory.timer(node).filter(|&due| due > before && due <= ticking.memory.now) else {
+            continue;
+        };
+        debug_assert!(due <= ticking.memory.now);
+        ticking.memory.wake_up = true;
+        if let Kind::Builtin(builtin) = &tree.nodes()[node.index()].kind
+            && matches!(**builtin, Builtin::Timeout { .. })
+            && ticking.memory.status(NodeId(node.0 + 1)) == Status::Running
+        {
+            ticking.slot(node).count = 1;
+            ticking.halt_child(NodeId(node.0 + 1));
+        }
+    }
+    ticking.fault.map_or(Ok(()), Err)
 }
 
-impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
-    fn slot(&mut self, node: NodeId) -> &mut Slot {
+/// A tick under way. Control nodes are in `control.rs`, the others in `decorator.rs`.
+pub(super) struct Ticking<'a, L, H, R> {
+    pub tree: &'a Tree<L>,
+    pub memory: &'a mut Memory,
+    pub host: &'a mut H,
+    pub recorder: &'a mut R,
+    /// The first fault of a script that ran at a halt, where no status can carry it.
+    pub fault: Option<TickError>,
+}
+
+impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
+    pub(super) fn slot(&mut self, node: NodeId) -> &mut Slot {
         &mut self.memory.slots[node.index()]
     }
 
-    fn tick(&mut self, node: NodeId) -> Result<Status, TickError> {
-        let tree = self.tree;
-        let kind = &tree.nodes()[node.index()].kind;
-        let starts = self.slot(node).status != Status::Running;
-        if starts && !matches!(kind, Kind::Leaf(_)) {
-            let slot = self.slot(node);
-            slot.status = Status::Running;
-            slot.count = 0;
-        }
-        let status = match kind {
-            Kind::Leaf(leaf) => self.host.tick(node, leaf),
-            Kind::Sequence => self.in_order(node, Status::Failure)?,
-            Kind::Fallback => self.in_order(node, Status::Success)?,
-            Kind::SequenceWithMemory => self.sequence_with_memory(node)?,
-            Kind::ReactiveSequence => self.reactive(node, Status::Failure)?,
-            Kind::ReactiveFallback => self.reactive(node, Status::Success)?,
-            Kind::Parallel { success_count, failure_count } => self.parallel(node, *success_count, *failure_count)?,
-            Kind::Inverter => match self.only_child(node)? {
-                Status::Success => Status::Failure,
-                Status::Failure => Status::Success,
-                other => other,
-            },
-            Kind::ForceSuccess => Self::forced(self.only_child(node)?, Status::Success),
-            Kind::ForceFailure => Self::forced(self.only_child(node)?, Status::Failure),
+    pub(super) fn tick(&mut self, node: NodeId) -> Result<Status, TickError> {
+        let tree: &'a Tree<L> = self.tree;
+        let extra = tree.extra(node);
+        let decided = extra.map_or(Ok(None), |extra| self.check_before(node, extra))?;
+        let status = match decided {
+            Some(status) => status,
+            None => self.tick_kind(node, &tree.nodes()[node.index()].kind)?,
         };
+        if status.is_completed()
+            && let Some(extra) = extra
+        {
+            let own = if status == Status::Success { &extra.after[0] } else { &extra.after[1] };
+            for script in [own, &extra.after[2]].into_iter().flatten() {
+                self.run(node, script)?;
+            }
+        }
         self.slot(node).status = if status == Status::Skipped { Status::Idle } else { status };
         if R::RECORDING {
             self.recorder.returned(node, status);
@@ -168,11 +175,61 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         Ok(status)
     }
 
-    fn forced(status: Status, to: Status) -> Status {
-        if status.is_completed() { to } else { status }
+    fn tick_kind(&mut self, node: NodeId, kind: &'a Kind<L>) -> Result<Status, TickError> {
+        if !matches!(kind, Kind::Leaf(_) | Kind::Builtin(_)) && self.slot(node).status != Status::Running {
+            let slot = self.slot(node);
+            slot.status = Status::Running;
+            slot.count = 0;
+        }
+        match kind {
+            Kind::Leaf(leaf) => {
+                let mut ports = Ports { extra: self.tree.extra(node), memory: self.memory, node };
+                match self.host.tick(node, leaf, &mut ports) {
+                    Status::Idle => Err(self.error(node, "expected a status from the leaf, found IDLE")),
+                    status => Ok(status),
+                }
+            }
+            Kind::Sequence => self.in_order(node, Status::Failure, false),
+            Kind::Fallback => self.in_order(node, Status::Success, false),
+            Kind::SequenceWithMemory => self.sequence_with_memory(node),
+            Kind::ReactiveSequence => self.reactive(node, Status::Failure),
+            Kind::ReactiveFallback => self.reactive(node, Status::Success),
+            Kind::Inverter => Ok(match self.only_child(node)? {
+                Status::Success => Status::Failure,
+                Status::Failure => Status::Success,
+                other => other,
+            }),
+            Kind::ForceSuccess => self.only_child(node).map(|status| forced(status, Status::Success)),
+            Kind::ForceFailure => self.only_child(node).map(|status| forced(status, Status::Failure)),
+            Kind::Builtin(builtin) => self.tick_builtin(node, builtin),
+        }
     }
 
-    fn only_child(&mut self, node: NodeId) -> Result<Status, TickError> {
+    /// Pre-conditions, in the order `_failureIf`, `_successIf`, `_skipIf`, `_while`: the status they decide, if any.
+    fn check_before(&mut self, node: NodeId, extra: &Extra) -> Result<Option<Status>, TickError> {
+        let status = self.slot(node).status;
+        if status == Status::Idle {
+            let decide = [Status::Failure, Status::Success, Status::Skipped];
+            for (script, decided) in extra.before.iter().zip(decide) {
+                if let Some(script) = script
+                    && self.is_true(node, script)?
+                {
+                    return Ok(Some(decided));
+                }
+            }
+        }
+        if let Some(guard) = &extra.before[3]
+            && matches!(status, Status::Idle | Status::Running)
+            && !self.is_true(node, guard)?
+        {
+            self.halt_child(node);
+            return Ok(Some(Status::Skipped));
+        }
+        Ok(None)
+    }
+
+    /// Ticks the only child, and resets it when it completes.
+    pub(super) fn only_child(&mut self, node: NodeId) -> Result<Status, TickError> {
         let child = NodeId(node.0 + 1);
         let status = self.tick(child)?;
         if status.is_completed() {
@@ -181,166 +238,45 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         Ok(status)
     }
 
-    /// Sequence (`decisive` FAILURE) and Fallback (`decisive` SUCCESS): mirror images of each other.
-    fn in_order(&mut self, node: NodeId, decisive: Status) -> Result<Status, TickError> {
-        let end = self.tree.nodes()[node.index()].end;
-        let mut child = self.resume(node);
-        while child.0 < end {
-            let status = self.tick(child)?;
-            match status {
-                Status::Running => {
-                    self.slot(node).cursor = child.0;
-                    return Ok(Status::Running);
-                }
-                Status::Skipped => self.slot(node).count += 1,
-                Status::Success | Status::Failure => {
-                    if status == decisive {
-                        self.slot(node).cursor = 0;
-                        self.reset_children(node);
-                        return Ok(decisive);
-                    }
-                }
-                Status::Idle => debug_assert!(false, "no node returns IDLE"),
-            }
-            child = self.next_sibling(child);
-        }
-        self.slot(node).cursor = 0;
-        Ok(self.end_of_list(node, decisive))
+    pub(super) fn run(&mut self, node: NodeId, script: &BoundScript) -> Result<Value, TickError> {
+        self.memory.run(script, node).map_err(|cause| self.error(node, cause))
     }
 
-    fn sequence_with_memory(&mut self, node: NodeId) -> Result<Status, TickError> {
-        let end = self.tree.nodes()[node.index()].end;
-        let mut child = self.resume(node);
-        while child.0 < end {
-            let was_idle = self.slot(child).status == Status::Idle;
-            let status = self.tick(child)?;
-            match status {
-                Status::Running => {
-                    self.slot(node).cursor = child.0;
-                    return Ok(Status::Running);
-                }
-                Status::Failure => {
-                    // The place is kept; this child and the later ones are reset, the earlier ones stay done.
-                    self.slot(node).cursor = child.0;
-                    let mut later = child;
-                    while later.0 < end {
-                        self.halt_child(later);
-                        later = self.next_sibling(later);
-                    }
-                    return Ok(Status::Failure);
-                }
-                Status::Success => {
-                    let next = self.next_sibling(child);
-                    if was_idle && next.0 < end {
-                        self.slot(node).cursor = next.0;
-                        self.memory.wake_up = true;
-                        return Ok(Status::Running);
-                    }
-                }
-                Status::Skipped => self.slot(node).count += 1,
-                Status::Idle => debug_assert!(false, "no node returns IDLE"),
-            }
-            child = self.next_sibling(child);
-        }
-        self.slot(node).cursor = 0;
-        Ok(self.end_of_list(node, Status::Failure))
+    /// Whether a script's value is true: a number other than 0, or a text that is not empty.
+    pub(super) fn is_true(&mut self, node: NodeId, script: &BoundScript) -> Result<bool, TickError> {
+        Ok(match self.run(node, script)? {
+            Value::Number(number) => number != 0.0,
+            Value::Text(text) => !text.is_empty(),
+            Value::Queue(values) => !values.is_empty(),
+        })
     }
 
-    fn reactive(&mut self, node: NodeId, decisive: Status) -> Result<Status, TickError> {
-        let end = self.tree.nodes()[node.index()].end;
-        let mut all_skipped = true;
-        let mut child = NodeId(node.0 + 1);
-        while child.0 < end {
-            let status = self.tick(child)?;
-            all_skipped &= status == Status::Skipped;
-            match status {
-                Status::Running => {
-                    let tree = self.tree;
-                    for other in tree.children(node).filter(|&other| other != child) {
-                        self.halt_child(other);
-                    }
-                    return Ok(Status::Running);
-                }
-                Status::Skipped => self.halt_child(child),
-                Status::Success | Status::Failure => {
-                    if status == decisive {
-                        self.reset_children(node);
-                        return Ok(decisive);
-                    }
-                }
-                Status::Idle => debug_assert!(false, "no node returns IDLE"),
-            }
-            child = self.next_sibling(child);
-        }
-        self.reset_children(node);
-        Ok(if all_skipped { Status::Skipped } else { Self::opposite(decisive) })
-    }
-
-    fn parallel(&mut self, node: NodeId, success_count: i32, failure_count: i32) -> Result<Status, TickError> {
-        let tree = self.tree;
-        let children = tree.children(node).count() as u32;
-        let threshold = |count: i32| {
-            let from_end = i64::from(children) + 1 + i64::from(count);
-            let wanted = if count < 0 { from_end.max(0) } else { i64::from(count) } as u32;
-            if wanted > children { Err(TickError::Threshold(node, wanted, children)) } else { Ok(wanted) }
+    /// The number of a port; a text is read as one.
+    pub(super) fn number(&mut self, node: NodeId, port: &str, source: &Source) -> Result<f64, TickError> {
+        let found = match self.memory.read(source) {
+            Some(Value::Number(number)) => return Ok(*number),
+            Some(Value::Text(text)) => match text.trim() {
+                "true" => return Ok(1.0),
+                "false" => return Ok(0.0),
+                other => match Value::literal(other) {
+                    Value::Number(number) => return Ok(number),
+                    _ => format!("the text '{text}'"),
+                },
+            },
+            Some(Value::Queue(_)) => "a queue".to_owned(),
+            None => "no value".to_owned(),
         };
-        let (wanted, fatal) = (threshold(success_count)?, threshold(failure_count)?);
-        let mut skipped = 0;
-        for child in tree.children(node) {
-            if !self.slot(child).status.is_completed() {
-                match self.tick(child)? {
-                    Status::Success => self.slot(node).count += 1,
-                    Status::Failure => self.slot(node).cursor += 1,
-                    Status::Skipped => skipped += 1,
-                    Status::Running => {}
-                    Status::Idle => debug_assert!(false, "no node returns IDLE"),
-                }
-            }
-            let Slot { count: successes, cursor: failures, .. } = *self.slot(node);
-            let verdict = if successes >= wanted || (success_count < 0 && successes + skipped >= wanted) {
-                Some(Status::Success)
-            } else if children - failures < wanted || failures == fatal {
-                Some(Status::Failure)
-            } else {
-                None
-            };
-            if let Some(status) = verdict {
-                self.slot(node).cursor = 0;
-                self.reset_children(node);
-                return Ok(status);
-            }
-        }
-        Ok(if skipped == children { Status::Skipped } else { Status::Running })
+        Err(self.error(node, format!("port {port}: expected a number, found {found}")))
     }
 
-    /// The child to continue with.
-    fn resume(&mut self, node: NodeId) -> NodeId {
-        match self.slot(node).cursor {
-            0 => NodeId(node.0 + 1),
-            child => NodeId(child),
-        }
+    pub(super) fn error(&self, node: NodeId, cause: impl Into<String>) -> TickError {
+        let kind = self.tree.nodes()[node.index()].kind.name();
+        let name = self.tree.extra(node).map_or("", |extra| extra.name.as_str());
+        let name = if name.is_empty() || name == kind { kind.to_owned() } else { format!("{kind} \"{name}\"") };
+        TickError { node, name, cause: cause.into() }
     }
 
-    fn next_sibling(&self, child: NodeId) -> NodeId {
-        NodeId(self.tree.nodes()[child.index()].end)
-    }
-
-    /// No child was decisive: the opposite status, or SKIPPED when every child was skipped.
-    fn end_of_list(&mut self, node: NodeId, decisive: Status) -> Status {
-        let tree = self.tree;
-        let skipped = self.slot(node).count;
-        self.reset_children(node);
-        if skipped > 0 && skipped as usize == tree.children(node).count() {
-            return Status::Skipped;
-        }
-        Self::opposite(decisive)
-    }
-
-    fn opposite(decisive: Status) -> Status {
-        if decisive == Status::Success { Status::Failure } else { Status::Success }
-    }
-
-    fn reset_children(&mut self, node: NodeId) {
+    pub(super) fn reset_children(&mut self, node: NodeId) {
         let tree = self.tree;
         for child in tree.children(node) {
             self.halt_child(child);
@@ -349,15 +285,14 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
 
     /// Halts `node` if it is RUNNING, children first, and makes it IDLE. A completed node has no live children,
     /// except that SequenceWithMemory keeps its earlier ones done after a failure.
-    fn halt_child(&mut self, node: NodeId) {
-        let tree = self.tree;
-        let kind = &tree.nodes()[node.index()].kind;
+    pub(super) fn halt_child(&mut self, node: NodeId) {
+        let tree: &'a Tree<L> = self.tree;
         if self.slot(node).status == Status::Running {
-            self.reset_children(node);
-            match kind {
-                Kind::Leaf(leaf) => self.host.halt(node, leaf),
-                Kind::SequenceWithMemory => {}
-                _ => self.slot(node).cursor = 0,
+            self.halt_kind(node, &tree.nodes()[node.index()].kind);
+            if let Some(script) = tree.extra(node).and_then(|extra| extra.after[3].as_ref())
+                && let Err(error) = self.run(node, script)
+            {
+                self.fault.get_or_insert(error);
             }
             if R::RECORDING {
                 self.recorder.halted(node);
@@ -365,4 +300,19 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         }
         self.slot(node).status = Status::Idle;
     }
+
+    fn halt_kind(&mut self, node: NodeId, kind: &'a Kind<L>) {
+        let in_block = self.slot(node).cursor;
+        self.reset_children(node);
+        match kind {
+            Kind::Leaf(leaf) => self.host.halt(node, leaf),
+            Kind::SequenceWithMemory => {}
+            Kind::Builtin(builtin) => self.halt_builtin(node, builtin, in_block),
+            _ => self.slot(node).cursor = 0,
+        }
+    }
+}
+
+fn forced(status: Status, to: Status) -> Status {
+    if status.is_completed() { to } else { status }
 }

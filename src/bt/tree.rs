@@ -1,5 +1,7 @@
 //! The tree as a flat arena: nodes in preorder, so a node's index is the id that is shown and saved.
 
+use super::blackboard::Boards;
+use super::builtin::{Builtin, Extra};
 use std::fmt;
 
 /// A node's place in preorder; the root is 0.
@@ -15,7 +17,7 @@ impl NodeId {
 }
 
 /// What a node does with its children, or the leaf that the host runs.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Kind<L> {
     /// Ticks children in order from the one that was RUNNING; fails with the first that fails.
     Sequence,
@@ -27,21 +29,22 @@ pub enum Kind<L> {
     Fallback,
     /// A Fallback that starts from the first child in every tick.
     ReactiveFallback,
-    /// Ticks all children that have not completed; ends when one of the thresholds is reached.
-    Parallel {
-        /// Successes needed; a negative number counts from the number of children N: N + 1 + value.
-        success_count: i32,
-        /// Failures that end it; a negative number counts as above.
-        failure_count: i32,
-    },
     /// Exchanges SUCCESS and FAILURE.
     Inverter,
     /// Any completion becomes SUCCESS.
     ForceSuccess,
     /// Any completion becomes FAILURE.
     ForceFailure,
+    /// Any other built-in node; in a box, so that trees without them stay small.
+    Builtin(Box<Builtin>),
     /// A condition or an action of the world.
     Leaf(L),
+}
+
+impl<L> From<Builtin> for Kind<L> {
+    fn from(builtin: Builtin) -> Self {
+        Self::Builtin(Box::new(builtin))
+    }
 }
 
 impl<L> Kind<L> {
@@ -54,10 +57,10 @@ impl<L> Kind<L> {
             Self::ReactiveSequence => "ReactiveSequence",
             Self::Fallback => "Fallback",
             Self::ReactiveFallback => "ReactiveFallback",
-            Self::Parallel { .. } => "Parallel",
             Self::Inverter => "Inverter",
             Self::ForceSuccess => "ForceSuccess",
             Self::ForceFailure => "ForceFailure",
+            Self::Builtin(builtin) => builtin.name(),
             Self::Leaf(_) => "Leaf",
         }
     }
@@ -69,16 +72,16 @@ impl<L> Kind<L> {
             | Self::SequenceWithMemory
             | Self::ReactiveSequence
             | Self::Fallback
-            | Self::ReactiveFallback
-            | Self::Parallel { .. } => (1, None),
+            | Self::ReactiveFallback => (1, None),
             Self::Inverter | Self::ForceSuccess | Self::ForceFailure => (1, Some(1)),
+            Self::Builtin(builtin) => builtin.arity(),
             Self::Leaf(_) => (0, Some(0)),
         }
     }
 }
 
 /// One node of the arena.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Node<L> {
     /// What it does.
     pub kind: Kind<L>,
@@ -87,9 +90,12 @@ pub struct Node<L> {
 }
 
 /// A well-formed tree: at least one node, every kind with the number of children it takes.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Tree<L> {
     nodes: Vec<Node<L>>,
+    /// What nodes have besides their kind, up to the last node that has anything.
+    extras: Vec<Option<Box<Extra>>>,
+    boards: Option<Box<Boards>>,
 }
 
 impl<L> Tree<L> {
@@ -97,6 +103,19 @@ impl<L> Tree<L> {
     #[must_use]
     pub fn nodes(&self) -> &[Node<L>] {
         &self.nodes
+    }
+
+    /// Name, conditions and ports of a node, if it was given any.
+    #[must_use]
+    #[inline]
+    pub fn extra(&self, node: NodeId) -> Option<&Extra> {
+        self.extras.get(node.index()).and_then(Option::as_deref)
+    }
+
+    /// The blackboards; `None` for a tree that uses none.
+    #[must_use]
+    pub fn boards(&self) -> Option<&Boards> {
+        self.boards.as_deref()
     }
 
     /// The ids of the children of `node`, left to right.
@@ -147,8 +166,8 @@ pub enum BuildError {
     SecondRoot(NodeId),
     /// `close` was called more or fewer times than `open`.
     Unbalanced,
-    /// The node, its kind's name, and how many children it has.
-    Children(NodeId, &'static str, usize),
+    /// The node, its kind's name with what it takes, and how many children it has.
+    Children(NodeId, (&'static str, &'static str), usize),
 }
 
 impl fmt::Display for BuildError {
@@ -158,11 +177,7 @@ impl fmt::Display for BuildError {
             Self::SecondRoot(node) => write!(out, "expected one root, found a second one at node {}", node.0),
             Self::Unbalanced => write!(out, "expected as many closed nodes as opened ones"),
             Self::Children(node, kind, found) => {
-                let expected = match *kind {
-                    "Inverter" | "ForceSuccess" | "ForceFailure" => "exactly 1 child",
-                    _ => "at least 1 child",
-                };
-                write!(out, "node {}: expected {expected} for {kind}, found {found}", node.0)
+                write!(out, "node {}: expected {} for {}, found {found}", node.0, kind.1, kind.0)
             }
         }
     }
@@ -176,6 +191,8 @@ impl std::error::Error for BuildError {}
 #[derive(Clone, Debug)]
 pub struct Builder<L> {
     nodes: Vec<Node<L>>,
+    extras: Vec<Option<Box<Extra>>>,
+    boards: Option<Box<Boards>>,
     open: Vec<NodeId>,
     /// The first fault; later calls are ignored.
     fault: Option<BuildError>,
@@ -183,7 +200,7 @@ pub struct Builder<L> {
 
 impl<L> Default for Builder<L> {
     fn default() -> Self {
-        Self { nodes: Vec::new(), open: Vec::new(), fault: None }
+        Self { nodes: Vec::new(), extras: Vec::new(), boards: None, open: Vec::new(), fault: None }
     }
 }
 
@@ -196,6 +213,19 @@ impl<L> Builder<L> {
         }
         self.nodes.push(Node { kind, end: id.0 + 1 });
         self.open.push(id);
+    }
+
+    /// Gives the node opened last a name, conditions or ports.
+    pub fn extra(&mut self, extra: Extra) {
+        if let Some(id) = self.open.last() {
+            self.extras.resize(id.index(), None);
+            self.extras.push(Some(Box::new(extra)));
+        }
+    }
+
+    /// The blackboards of the tree being built; asking for them makes them.
+    pub fn boards(&mut self) -> &mut Boards {
+        self.boards.get_or_insert_default()
     }
 
     /// Adds a leaf.
@@ -216,7 +246,13 @@ impl<L> Builder<L> {
         let (least, most) = kind.arity();
         let found = Children { nodes: &self.nodes, next: id.0 + 1, end }.count();
         if (found < least || most.is_some_and(|most| found > most)) && self.fault.is_none() {
-            self.fault = Some(BuildError::Children(id, kind.name(), found));
+            let takes = match (least, most) {
+                (_, Some(0)) => "no child",
+                (_, Some(_)) => "exactly 1 child",
+                (2, None) => "at least 2 children",
+                (_, None) => "at least 1 child",
+            };
+            self.fault = Some(BuildError::Children(id, (kind.name(), takes), found));
         }
     }
 
@@ -225,7 +261,7 @@ impl<L> Builder<L> {
     /// # Errors
     /// The first fault: no node, a second root, unbalanced nodes, a wrong number of children.
     pub fn finish(&mut self) -> Result<Tree<L>, BuildError> {
-        let mut tree = Tree { nodes: Vec::new() };
+        let mut tree = Tree { nodes: Vec::new(), extras: Vec::new(), boards: None };
         self.finish_into(&mut tree)?;
         Ok(tree)
     }
@@ -243,7 +279,11 @@ impl<L> Builder<L> {
         };
         if fault.is_none() {
             std::mem::swap(&mut tree.nodes, &mut self.nodes);
+            std::mem::swap(&mut tree.extras, &mut self.extras);
+            tree.boards = self.boards.take();
         }
+        self.boards = None;
+        self.extras.clear();
         self.nodes.clear();
         self.open.clear();
         fault.map_or(Ok(()), Err)

@@ -1,6 +1,7 @@
 //! Running a file of mapping cases (schema `ge-oracle/1`) against the mapper.
 
 use super::{Grammar, Limits, Mapped, Mapper, Phenotype};
+use crate::verdict::CaseVerdict;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -28,15 +29,6 @@ struct Expect {
     phenotype: Option<String>,
     used_codons: Option<u32>,
     depth: Option<u32>,
-}
-
-/// How one case came out.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct CaseVerdict {
-    /// The case's name.
-    pub id: String,
-    /// What was expected and what came out, when they differ.
-    pub fault: Option<String>,
 }
 
 /// The most wraps a case may ask for: a runaway derivation ends within this many readings of its codons.

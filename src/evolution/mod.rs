@@ -8,7 +8,7 @@ mod grammar;
 mod mapping;
 mod operators;
 
-pub use cases::{CaseVerdict, Cases};
+pub use cases::Cases;
 pub use genome::Genome;
 pub use grammar::{AlternativeId, Grammar, GrammarError, Place, RuleId, Symbol, TerminalId};
 pub use mapping::{Codons, Derivation, Invalid, Limits, Mapped, Mapper, Phenotype};

@@ -3,7 +3,7 @@
 use super::field::Field;
 use super::leaf::{Leaf, Name, Object};
 use super::params::{DropRule, ExploreHeading, IsDropable, MovesPerStep, Params};
-use crate::bt::{Host, NodeId, Status};
+use crate::bt::{Host, NodeId, Ports, Status};
 use crate::fingerprint::Fingerprint;
 use crate::random::{Stream, direction, standard_normal};
 
@@ -213,7 +213,7 @@ impl<'a> Actor<'a> {
 }
 
 impl Host<Leaf> for Actor<'_> {
-    fn tick(&mut self, _node: NodeId, leaf: &Leaf) -> Status {
+    fn tick(&mut self, _node: NodeId, leaf: &Leaf, _ports: &mut Ports) -> Status {
         let success = self.run(*leaf) != leaf.negated;
         if success && leaf.name.is_action() {
             self.body.last_action = Some(*leaf);

@@ -267,8 +267,8 @@ impl State {
 
     /// Sense, act and update: takes copies of the neighbours' genomes, and breeds when it has enough of them.
     ///
-    /// Source: BeTr-GEESE, section 3. Neighbours are the agents within the sensing radius; the storage keeps the
-    /// newest genome of each, with its fitness at that moment (our choices).
+    /// Source: BeTr-GEESE, section 3. Our choices: neighbours are the agents within the sensing radius, and a stored
+    /// genome keeps the fitness it had when it was taken.
     fn meet(&mut self, params: &Params, breeder: &mut Breeder, near: &mut Near, agent: u32) {
         let place = self.field.agents.point(agent);
         near.clear();

@@ -137,7 +137,8 @@ impl World {
     /// # Errors
     /// The query is not valid.
     pub fn inspect(&mut self, query: &str) -> Result<String, JsError> {
-        let query: Query = serde_json::from_str(query).map_err(|fault| error(&fault))?;
+        let query: Value = serde_json::from_str(query).map_err(|fault| error(&fault))?;
+        let query = Query::from_value(&query);
         Ok(answer(self.timeline.run_mut().geese_mut().map(|world| Detail::of(world, &query))))
     }
 
@@ -146,7 +147,9 @@ impl World {
     /// # Errors
     /// It is no list of whole numbers from 0 to 65535.
     pub fn derive(&mut self, codons: &str) -> Result<String, JsError> {
-        let codons: Vec<u16> = serde_json::from_str(codons).map_err(|fault| error(&fault))?;
+        let codons: Value = serde_json::from_str(codons).map_err(|fault| error(&fault))?;
+        let codons = codons.as_array().and_then(|codons| codons.iter().map(as_codon).collect::<Option<Vec<u16>>>());
+        let codons = codons.ok_or_else(|| JsError::new("expected a list of whole numbers from 0 to 65535"))?;
         let compiler = self.timeline.run_mut().geese_mut().map(Geese::compiler);
         Ok(answer(compiler.map(|compiler| Derived::of(compiler, &codons))))
     }
@@ -171,4 +174,8 @@ impl World {
 /// An answer as JSON; serialising our own types cannot fail.
 fn answer(value: Option<impl serde::Serialize>) -> String {
     value.and_then(|value| serde_json::to_string(&value).ok()).unwrap_or_else(|| "null".to_owned())
+}
+
+fn as_codon(value: &Value) -> Option<u16> {
+    value.as_u64().and_then(|codon| u16::try_from(codon).ok())
 }

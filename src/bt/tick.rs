@@ -11,6 +11,10 @@ use std::fmt;
 
 /// Runs the leaves of a world.
 pub trait Host<L> {
+    /// True for a host whose trees have no [`Builtin`] nodes, conditions or ports: what runs those is then left out of
+    /// the program, and ticks do not look for them.
+    const PLAIN: bool = false;
+
     /// Ticks one leaf and returns its status, which is never IDLE.
     fn tick(&mut self, node: NodeId, leaf: &L, ports: &mut Ports) -> Status;
 
@@ -154,7 +158,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
 
     pub(super) fn tick(&mut self, node: NodeId) -> Result<Status, TickError> {
         let tree: &'a Tree<L> = self.tree;
-        let extra = tree.extra(node);
+        let extra = if H::PLAIN { None } else { tree.extra(node) };
         let decided = extra.map_or(Ok(None), |extra| self.check_before(node, extra))?;
         let status = match decided {
             Some(status) => status,
@@ -201,6 +205,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
             }),
             Kind::ForceSuccess => self.only_child(node).map(|status| forced(status, Status::Success)),
             Kind::ForceFailure => self.only_child(node).map(|status| forced(status, Status::Failure)),
+            Kind::Builtin(_) if H::PLAIN => Err(self.error(node, "expected a node that a plain host runs")),
             Kind::Builtin(builtin) => self.tick_builtin(node, builtin),
         }
     }
@@ -289,7 +294,8 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         let tree: &'a Tree<L> = self.tree;
         if self.slot(node).status == Status::Running {
             self.halt_kind(node, &tree.nodes()[node.index()].kind);
-            if let Some(script) = tree.extra(node).and_then(|extra| extra.after[3].as_ref())
+            if !H::PLAIN
+                && let Some(script) = tree.extra(node).and_then(|extra| extra.after[3].as_ref())
                 && let Err(error) = self.run(node, script)
             {
                 self.fault.get_or_insert(error);
@@ -307,7 +313,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         match kind {
             Kind::Leaf(leaf) => self.host.halt(node, leaf),
             Kind::SequenceWithMemory => {}
-            Kind::Builtin(builtin) => self.halt_builtin(node, builtin, in_block),
+            Kind::Builtin(builtin) if !H::PLAIN => self.halt_builtin(node, builtin, in_block),
             _ => self.slot(node).cursor = 0,
         }
     }

@@ -3,6 +3,7 @@
 use super::blackboard::Boards;
 use super::builtin::{Builtin, Extra};
 use std::fmt;
+use std::sync::Arc;
 
 /// A node's place in preorder; the root is 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,15 +36,15 @@ pub enum Kind<L> {
     ForceSuccess,
     /// Any completion becomes FAILURE.
     ForceFailure,
-    /// Any other built-in node; in a box, so that trees without them stay small.
-    Builtin(Box<Builtin>),
+    /// Any other built-in node; shared, so that trees stay small and copies cheap.
+    Builtin(Arc<Builtin>),
     /// A condition or an action of the world.
     Leaf(L),
 }
 
 impl<L> From<Builtin> for Kind<L> {
     fn from(builtin: Builtin) -> Self {
-        Self::Builtin(Box::new(builtin))
+        Self::Builtin(Arc::new(builtin))
     }
 }
 
@@ -94,8 +95,8 @@ pub struct Node<L> {
 pub struct Tree<L> {
     nodes: Vec<Node<L>>,
     /// What nodes have besides their kind, up to the last node that has anything.
-    extras: Vec<Option<Box<Extra>>>,
-    boards: Option<Box<Boards>>,
+    extras: Vec<Option<Arc<Extra>>>,
+    boards: Option<Arc<Boards>>,
 }
 
 impl<L> Tree<L> {
@@ -191,7 +192,7 @@ impl std::error::Error for BuildError {}
 #[derive(Clone, Debug)]
 pub struct Builder<L> {
     nodes: Vec<Node<L>>,
-    extras: Vec<Option<Box<Extra>>>,
+    extras: Vec<Option<Arc<Extra>>>,
     boards: Option<Box<Boards>>,
     open: Vec<NodeId>,
     /// The first fault; later calls are ignored.
@@ -219,7 +220,7 @@ impl<L> Builder<L> {
     pub fn extra(&mut self, extra: Extra) {
         if let Some(id) = self.open.last() {
             self.extras.resize(id.index(), None);
-            self.extras.push(Some(Box::new(extra)));
+            self.extras.push(Some(Arc::new(extra)));
         }
     }
 
@@ -280,7 +281,7 @@ impl<L> Builder<L> {
         if fault.is_none() {
             std::mem::swap(&mut tree.nodes, &mut self.nodes);
             std::mem::swap(&mut tree.extras, &mut self.extras);
-            tree.boards = self.boards.take();
+            tree.boards = self.boards.take().map(Arc::from);
         }
         self.boards = None;
         self.extras.clear();

@@ -91,11 +91,11 @@ pub struct Mapper {
     rules: Vec<Choice>,
     /// For each alternative its range in `all` and in `inner`.
     alternatives: Vec<[u32; 4]>,
-    /// The symbols of each alternative, last first, as they go onto the stack.
+    /// The symbols of each alternative.
     all: Vec<u32>,
     /// The same without terminals.
     inner: Vec<u32>,
-    stack: Vec<Pending>,
+    stack: Vec<Rest>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -106,9 +106,11 @@ struct Choice {
     reciprocal: u64,
 }
 
+/// The symbols of an alternative that are still to be expanded: a range, never empty, and their depth.
 #[derive(Clone, Copy, Debug)]
-struct Pending {
-    symbol: u32,
+struct Rest {
+    next: u32,
+    end: u32,
     depth: u32,
 }
 
@@ -124,7 +126,7 @@ impl Mapper {
             let first = mapper.alternatives.len() as u16;
             for alternative in grammar.alternatives(rule) {
                 let from = [mapper.all.len() as u32, mapper.inner.len() as u32];
-                for (symbol, _) in grammar.symbols(alternative).iter().rev() {
+                for (symbol, _) in grammar.symbols(alternative) {
                     match symbol {
                         Symbol::NonTerminal(rule) => {
                             mapper.all.push(u32::from(rule.0));
@@ -159,38 +161,51 @@ impl Mapper {
     ) -> Result<Mapped, Invalid> {
         let count = codons.count();
         let allowed = (count as u64).saturating_mul(u64::from(limits.max_wraps) + 1);
-        let (mut used, mut next, mut depth) = (0_u32, 0, 0);
-        self.stack.clear();
-        self.stack.push(Pending { symbol: 0, depth: 1 });
-        while let Some(pending) = self.stack.pop() {
-            if D::TERMINALS && pending.symbol & TERMINAL != 0 {
-                derivation.terminal(TerminalId((pending.symbol & !TERMINAL) as u16));
-                continue;
-            }
-            if u64::from(used) == allowed {
-                return Err(Invalid::CodonsUsedUp);
-            }
-            // Every alternative has a symbol, and each stands one deeper.
-            if pending.depth >= limits.max_depth {
-                return Err(Invalid::TooDeep);
-            }
-            depth = depth.max(pending.depth + 1);
-            let codon = codons.read(next, (used as usize) < count);
-            next = if next + 1 == count { 0 } else { next + 1 };
-            used += 1;
-            let choice = self.rules[pending.symbol as usize];
-            let quotient = (u64::from(codon) * choice.reciprocal) >> 32;
-            let alternative = choice.first + (codon - quotient as u16 * choice.count);
-            derivation.expand(RuleId(pending.symbol as u16), AlternativeId(alternative), codon, pending.depth);
-            let [from, to, inner_from, inner_to] = self.alternatives[usize::from(alternative)];
-            let symbols = if D::TERMINALS {
-                &self.all[from as usize..to as usize]
+        let Self { rules, alternatives, all, inner, stack } = self;
+        let symbols: &[u32] = if D::TERMINALS { all } else { inner };
+        let (mut used, mut next_codon, mut deepest) = (0_u32, 0, 0);
+        stack.clear();
+        // The alternative being read; what is left of those around it waits on the stack.
+        let mut rest = Rest { next: 0, end: 0, depth: 1 };
+        let mut symbol = 0;
+        loop {
+            let depth = rest.depth;
+            if D::TERMINALS && symbol & TERMINAL != 0 {
+                derivation.terminal(TerminalId((symbol & !TERMINAL) as u16));
             } else {
-                &self.inner[inner_from as usize..inner_to as usize]
-            };
-            self.stack.extend(symbols.iter().map(|&symbol| Pending { symbol, depth: pending.depth + 1 }));
+                if u64::from(used) == allowed {
+                    return Err(Invalid::CodonsUsedUp);
+                }
+                // Every alternative has a symbol, and each stands one deeper.
+                if depth >= limits.max_depth {
+                    return Err(Invalid::TooDeep);
+                }
+                deepest = deepest.max(depth + 1);
+                let codon = codons.read(next_codon, (used as usize) < count);
+                next_codon = if next_codon + 1 == count { 0 } else { next_codon + 1 };
+                used += 1;
+                let choice = rules[symbol as usize];
+                let quotient = (u64::from(codon) * choice.reciprocal) >> 32;
+                let alternative = choice.first + (codon - quotient as u16 * choice.count);
+                derivation.expand(RuleId(symbol as u16), AlternativeId(alternative), codon, depth);
+                let [from, to, inner_from, inner_to] = alternatives[usize::from(alternative)];
+                let (from, to) = if D::TERMINALS { (from, to) } else { (inner_from, inner_to) };
+                if from < to {
+                    if rest.next < rest.end {
+                        stack.push(rest);
+                    }
+                    rest = Rest { next: from, end: to, depth: depth + 1 };
+                }
+            }
+            if rest.next == rest.end {
+                match stack.pop() {
+                    Some(outer) => rest = outer,
+                    None => return Ok(Mapped { used, depth: deepest }),
+                }
+            }
+            symbol = symbols[rest.next as usize];
+            rest.next += 1;
         }
-        Ok(Mapped { used, depth })
     }
 }
 

@@ -213,6 +213,8 @@ impl<'a> Actor<'a> {
 }
 
 impl Host<Leaf> for Actor<'_> {
+    const PLAIN: bool = true;
+
     fn tick(&mut self, _node: NodeId, leaf: &Leaf, _ports: &mut Ports) -> Status {
         let success = self.run(*leaf) != leaf.negated;
         if success && leaf.name.is_action() {

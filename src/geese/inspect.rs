@@ -5,10 +5,11 @@ use super::mind::{Mind, Trace};
 use super::program::program_text;
 use super::world::{State, World};
 use crate::bt::{Kind, Tree};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 
 /// What to show.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default)]
 pub struct Query {
     /// An agent by number.
     pub agent: Option<u32>,
@@ -16,6 +17,16 @@ pub struct Query {
     pub program: Option<String>,
     /// A node of the shown tree: the agents that reached it in the last step are listed.
     pub node: Option<u32>,
+}
+
+impl Query {
+    /// Reads a query from JSON; what is not there, or is no number or text, is not asked for.
+    #[must_use]
+    pub fn from_value(value: &Value) -> Self {
+        let number = |name: &str| value.get(name)?.as_u64().and_then(|number| u32::try_from(number).ok());
+        let program = value.get("program").and_then(Value::as_str).map(str::to_owned);
+        Self { agent: number("agent"), program, node: number("node") }
+    }
 }
 
 /// The answer to a query.

@@ -1,11 +1,12 @@
 //! The switches of the world: the paper's text taken literally is the default of each.
 
 use super::schema::GRAMMAR;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 
 /// Every parameter of the foraging world and its evolution; see `schema.rs` for bounds, meaning and source.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 #[expect(missing_docs, reason = "each field is described once, in the schema")]
 pub struct Params {
     pub agents: u32,
@@ -46,7 +47,7 @@ pub struct Params {
 }
 
 /// How many moves an agent makes in one step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MovesPerStep {
     /// A second move in the same step fails.
@@ -56,7 +57,7 @@ pub enum MovesPerStep {
 }
 
 /// How Explore chooses its heading.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ExploreHeading {
     /// A new direction on every call.
@@ -66,7 +67,7 @@ pub enum ExploreHeading {
 }
 
 /// Where CompositeDrop puts an item down.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DropRule {
     /// Anywhere; outside the hub the item stays on the ground.
@@ -76,7 +77,7 @@ pub enum DropRule {
 }
 
 /// When the condition IsDropable holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum IsDropable {
     /// Everywhere, as dropping is allowed everywhere.
@@ -88,7 +89,7 @@ pub enum IsDropable {
 }
 
 /// What counts as one stored genome.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum StorageContent {
     /// The newest genome of each donor.
@@ -98,7 +99,7 @@ pub enum StorageContent {
 }
 
 /// How parents are chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ParentSelection {
     /// The best share of the pool; each pair is drawn from it.
@@ -108,7 +109,7 @@ pub enum ParentSelection {
 }
 
 /// Which child may become the agent's program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum GenomeSelection {
     /// The most diverse one.
@@ -118,7 +119,7 @@ pub enum GenomeSelection {
 }
 
 /// Where two parents are cut.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CrossoverMode {
     /// Each at its own place.
@@ -128,7 +129,7 @@ pub enum CrossoverMode {
 }
 
 /// What one mutation changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum MutationMode {
     /// A bit is flipped.
@@ -138,7 +139,7 @@ pub enum MutationMode {
 }
 
 /// When the best child replaces its parent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum SwapRule {
     /// When its diversity is greater.
     #[serde(rename = "d-gt")]
@@ -194,6 +195,70 @@ impl Default for Params {
 }
 
 impl Params {
+    /// Sets the field of that name, in kebab case; returns false when there is none or the value is of another type.
+    ///
+    /// By hand, because derived reading of this many fields makes the wasm a tenth larger.
+    pub fn set(&mut self, name: &str, value: &Value) -> bool {
+        match name {
+            "agents" => put_whole(&mut self.agents, value),
+            "steps" => put_whole(&mut self.steps, value),
+            "arena-size" => put_whole(&mut self.arena_size, value),
+            "hub-radius" => value.as_f64().is_some_and(|real| put(&mut self.hub_radius, real)),
+            "site-radius" => value.as_f64().is_some_and(|real| put(&mut self.site_radius, real)),
+            "site-distance" => value.as_f64().is_some_and(|real| put(&mut self.site_distance, real)),
+            "items" => put_whole(&mut self.items, value),
+            "success-threshold" => value.as_f64().is_some_and(|real| put(&mut self.success_threshold, real)),
+            "step-length" => value.as_f64().is_some_and(|real| put(&mut self.step_length, real)),
+            "moves-per-step" => {
+                put_word(&mut self.moves_per_step, &[MovesPerStep::One, MovesPerStep::Unlimited], value)
+            }
+            "sense-radius" => value.as_f64().is_some_and(|real| put(&mut self.sense_radius, real)),
+            "explore-heading" => {
+                put_word(&mut self.explore_heading, &[ExploreHeading::Uniform, ExploreHeading::Turning], value)
+            }
+            "turn-deviation" => value.as_f64().is_some_and(|real| put(&mut self.turn_deviation, real)),
+            "drop-rule" => put_word(&mut self.drop_rule, &[DropRule::Anywhere, DropRule::Hub], value),
+            "is-dropable" => {
+                put_word(&mut self.is_dropable, &[IsDropable::Always, IsDropable::Kind, IsDropable::Standing], value)
+            }
+            "genome-length" => put_whole(&mut self.genome_length, value),
+            "codon-max" => put_whole(&mut self.codon_max, value),
+            "max-depth" => put_whole(&mut self.max_depth, value),
+            "max-wraps" => put_whole(&mut self.max_wraps, value),
+            "grammar" => value.as_str().is_some_and(|text| put(&mut self.grammar, text.to_owned())),
+            "interaction-probability" => {
+                value.as_f64().is_some_and(|real| put(&mut self.interaction_probability, real))
+            }
+            "storage-threshold" => put_whole(&mut self.storage_threshold, value),
+            "storage-content" => {
+                put_word(&mut self.storage_content, &[StorageContent::Donors, StorageContent::Meetings], value)
+            }
+            "parent-selection" => {
+                put_word(&mut self.parent_selection, &[ParentSelection::Truncation, ParentSelection::Tournament], value)
+            }
+            "parent-share" => value.as_f64().is_some_and(|real| put(&mut self.parent_share, real)),
+            "tournament-size" => put_whole(&mut self.tournament_size, value),
+            "elite-size" => put_whole(&mut self.elite_size, value),
+            "children" => put_whole(&mut self.children, value),
+            "genome-selection" => {
+                put_word(&mut self.genome_selection, &[GenomeSelection::Diversity, GenomeSelection::Random], value)
+            }
+            "crossover-mode" => put_word(
+                &mut self.crossover_mode,
+                &[CrossoverMode::VariableOnePoint, CrossoverMode::FixedOnePoint],
+                value,
+            ),
+            "crossover-probability" => value.as_f64().is_some_and(|real| put(&mut self.crossover_probability, real)),
+            "mutation-mode" => put_word(&mut self.mutation_mode, &[MutationMode::Bit, MutationMode::Codon], value),
+            "mutation-probability" => value.as_f64().is_some_and(|real| put(&mut self.mutation_probability, real)),
+            "swap-rule" => {
+                put_word(&mut self.swap_rule, &[SwapRule::Greater, SwapRule::NotSmaller, SwapRule::Always], value)
+            }
+            "fitness-memory" => value.as_f64().is_some_and(|real| put(&mut self.fitness_memory, real)),
+            _ => false,
+        }
+    }
+
     /// Half the side of the arena: coordinates lie in `[-half, half]`.
     #[must_use]
     pub fn half(&self) -> f64 {
@@ -205,4 +270,19 @@ impl Params {
     pub fn item_count(&self) -> u32 {
         if self.items == 0 { self.agents } else { self.items }
     }
+}
+
+fn put<T>(field: &mut T, value: T) -> bool {
+    *field = value;
+    true
+}
+
+fn put_whole<T: TryFrom<u64>>(field: &mut T, value: &Value) -> bool {
+    value.as_u64().and_then(|whole| T::try_from(whole).ok()).is_some_and(|whole| put(field, whole))
+}
+
+/// Sets a field to the one of `all` that is written as `value`.
+fn put_word<T: Copy + Serialize>(field: &mut T, all: &[T], value: &Value) -> bool {
+    let found = all.iter().find(|word| serde_json::to_value(word).is_ok_and(|written| written == *value));
+    found.is_some_and(|word| put(field, *word))
 }

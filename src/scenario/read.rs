@@ -76,12 +76,11 @@ fn fields_of(world: &WorldParams) -> Map<String, Value> {
     }
 }
 
-/// The world with `fields` in place of its parameters; each has passed its parameter's check.
-fn with_fields(world: &WorldParams, fields: Map<String, Value>) -> Result<WorldParams, ScenarioError> {
-    let read = match world {
-        WorldParams::Geese(_) => serde_json::from_value(Value::Object(fields)).map(WorldParams::Geese),
-    };
-    read.map_err(|error| ScenarioError { path: world.name().to_owned(), message: error.to_string() })
+/// Sets one parameter to a value that has passed its check.
+fn set(world: &mut WorldParams, name: &str, value: &Value) -> bool {
+    match world {
+        WorldParams::Geese(params) => params.set(name, value),
+    }
 }
 
 /// The checks that concern several parameters.
@@ -127,7 +126,6 @@ impl Scenario {
             None => return fault("world", "expected one of \"geese\", found no such field"),
         };
         debug_assert!(WORLDS.contains(&world.name()));
-        let mut fields = fields_of(&world);
         for (name, value) in given {
             if COMMON.contains(&name.as_str()) {
                 continue;
@@ -139,12 +137,13 @@ impl Scenario {
                     None => fault(name, "unknown field; `swarm-playground schema` lists all"),
                 };
             };
-            match parameter.kind.check(value, parameter.unit) {
-                Ok(value) => fields.insert(name.clone(), value),
-                Err(message) => return fault(name, message),
-            };
+            let value = parameter
+                .kind
+                .check(value, parameter.unit)
+                .map_err(|message| ScenarioError { path: name.clone(), message })?;
+            let known = set(&mut world, name, &value);
+            debug_assert!(known, "{name} is in the schema, but no field takes its values");
         }
-        world = with_fields(&world, fields)?;
         check(&world)?;
         let scenario = Self {
             title: read_text(given, "title")?,
@@ -209,9 +208,8 @@ pub(super) fn apply(world: &WorldParams, event: &Event) -> Result<WorldParams, S
         .kind
         .check(&event.value, parameter.unit)
         .map_err(|message| ScenarioError { path: event.key.clone(), message })?;
-    let mut fields = fields_of(world);
-    fields.insert(parameter.name.to_owned(), value);
-    let changed = with_fields(world, fields)?;
+    let mut changed = world.clone();
+    set(&mut changed, parameter.name, &value);
     check(&changed)?;
     Ok(changed)
 }

@@ -17,8 +17,8 @@
 //!
 //! A module uses what stands above it, never what stands below.
 //!
-//! - [`random`], [`fingerprint`], [`parameter`], [`nearest`], [`verdict`]: streams, state hashes, the form of a
-//!   parameter, spelling, how a case came out.
+//! - [`random`], [`fingerprint`], [`parameter`], [`place`], [`nearest`], [`verdict`]: streams, state hashes, the form of
+//!   a parameter, places in a text, spelling, how a case came out.
 //! - [`bt`]: behaviour trees. [`evolution`]: grammatical evolution. Neither knows a world.
 //! - [`geese`]: the foraging swarm that evolves its behaviour trees.
 //! - [`scenario`]: the one JSON description of a run, and runs that can be sought through.
@@ -30,6 +30,7 @@ pub mod fingerprint;
 pub mod geese;
 pub mod nearest;
 pub mod parameter;
+pub mod place;
 pub mod random;
 pub mod scenario;
 pub mod verdict;

@@ -19,7 +19,7 @@ fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
 
 fn floor(module: &str) -> u32 {
     match module {
-        "random" | "fingerprint" | "parameter" | "nearest" | "verdict" => 0,
+        "random" | "fingerprint" | "parameter" | "nearest" | "place" | "verdict" => 0,
         "bt" | "evolution" => 1,
         "geese" => 2,
         "scenario" => 3,

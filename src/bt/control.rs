@@ -4,9 +4,17 @@ use super::tick::{Host, TickError, Ticking};
 use super::{NodeId, Recorder, Source, Status, Value};
 
 impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
-    /// Sequence (`decisive` FAILURE) and Fallback (`decisive` SUCCESS), mirror images of each other. The asynchronous
-    /// forms give the control back after a child that was done at once (`yields`).
-    pub(super) fn in_order(&mut self, node: NodeId, decisive: Status, yields: bool) -> Result<Status, TickError> {
+    /// Sequence (`decisive` FAILURE) and Fallback (`decisive` SUCCESS), mirror images of each other, and their forms:
+    ///
+    /// - `yields`: the control is given back after a child that was done at once.
+    /// - `keeps_place`: a decisive child is where the next start goes on; the children before it stay done.
+    pub(super) fn in_order(
+        &mut self,
+        node: NodeId,
+        decisive: Status,
+        yields: bool,
+        keeps_place: bool,
+    ) -> Result<Status, TickError> {
         let end = self.tree.nodes()[node.index()].end;
         let mut child = self.resume(node);
         while child.0 < end {
@@ -19,6 +27,14 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
                     return Ok(Status::Running);
                 }
                 Status::Skipped => self.slot(node).count += 1,
+                Status::Success | Status::Failure if status == decisive && keeps_place => {
+                    self.slot(node).cursor = child.0;
+                    while child.0 < end {
+                        self.halt_child(child);
+                        child = self.next_sibling(child);
+                    }
+                    return Ok(decisive);
+                }
                 Status::Success | Status::Failure if status == decisive => {
                     self.slot(node).cursor = 0;
                     self.reset_children(node);
@@ -26,7 +42,9 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
                 }
                 Status::Success | Status::Failure => {
                     if yields && was_idle && next.0 < end {
-                        return Ok(self.give_back(node, next));
+                        self.slot(node).cursor = next.0;
+                        self.memory.wake_up = true;
+                        return Ok(Status::Running);
                     }
                 }
                 Status::Idle => debug_assert!(false, "no node returns IDLE"),
@@ -35,42 +53,6 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         }
         self.slot(node).cursor = 0;
         Ok(self.end_of_list(node, decisive))
-    }
-
-    pub(super) fn sequence_with_memory(&mut self, node: NodeId) -> Result<Status, TickError> {
-        let end = self.tree.nodes()[node.index()].end;
-        let mut child = self.resume(node);
-        while child.0 < end {
-            let was_idle = self.slot(child).status == Status::Idle;
-            let status = self.tick(child)?;
-            let next = self.next_sibling(child);
-            match status {
-                Status::Running => {
-                    self.slot(node).cursor = child.0;
-                    return Ok(Status::Running);
-                }
-                Status::Failure => {
-                    // The place is kept; this child and the later ones are reset, the earlier ones stay done.
-                    self.slot(node).cursor = child.0;
-                    let mut later = child;
-                    while later.0 < end {
-                        self.halt_child(later);
-                        later = self.next_sibling(later);
-                    }
-                    return Ok(Status::Failure);
-                }
-                Status::Success => {
-                    if was_idle && next.0 < end {
-                        return Ok(self.give_back(node, next));
-                    }
-                }
-                Status::Skipped => self.slot(node).count += 1,
-                Status::Idle => debug_assert!(false, "no node returns IDLE"),
-            }
-            child = next;
-        }
-        self.slot(node).cursor = 0;
-        Ok(self.end_of_list(node, Status::Failure))
     }
 
     pub(super) fn reactive(&mut self, node: NodeId, decisive: Status) -> Result<Status, TickError> {
@@ -300,13 +282,6 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
 
     fn next_sibling(&self, child: NodeId) -> NodeId {
         NodeId(self.tree.nodes()[child.index()].end)
-    }
-
-    /// Returns RUNNING so that something else may happen before the next child, and asks for another pass.
-    fn give_back(&mut self, node: NodeId, next: NodeId) -> Status {
-        self.slot(node).cursor = next.0;
-        self.memory.wake_up = true;
-        Status::Running
     }
 
     /// Ends a node with `status`: its children are reset, its own numbers start afresh.

@@ -24,8 +24,8 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
             }
         }
         match builtin {
-            Builtin::AsyncSequence => self.in_order(node, Status::Failure, true),
-            Builtin::AsyncFallback => self.in_order(node, Status::Success, true),
+            Builtin::AsyncSequence => self.in_order(node, Status::Failure, true, false),
+            Builtin::AsyncFallback => self.in_order(node, Status::Success, true, false),
             Builtin::Parallel { success_count, failure_count } => self.parallel(node, success_count, failure_count),
             Builtin::ParallelAll { max_failures } => self.parallel_all(node, max_failures),
             Builtin::IfThenElse => self.if_then_else(node),

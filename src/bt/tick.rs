@@ -193,9 +193,9 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
                     status => Ok(status),
                 }
             }
-            Kind::Sequence => self.in_order(node, Status::Failure, false),
-            Kind::Fallback => self.in_order(node, Status::Success, false),
-            Kind::SequenceWithMemory => self.sequence_with_memory(node),
+            Kind::Sequence => self.in_order(node, Status::Failure, false, false),
+            Kind::Fallback => self.in_order(node, Status::Success, false, false),
+            Kind::SequenceWithMemory => self.in_order(node, Status::Failure, true, true),
             Kind::ReactiveSequence => self.reactive(node, Status::Failure),
             Kind::ReactiveFallback => self.reactive(node, Status::Success),
             Kind::Inverter => Ok(match self.only_child(node)? {

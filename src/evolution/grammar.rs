@@ -5,6 +5,7 @@
 //! is a comment.
 
 use crate::nearest::nearest;
+use crate::place::Place;
 use std::fmt;
 
 /// A rule, that is a non-terminal; 0 is the start symbol.
@@ -26,21 +27,6 @@ pub enum Symbol {
     NonTerminal(RuleId),
     /// Emitted as it stands.
     Terminal(TerminalId),
-}
-
-/// A place in a text: line and column from 1, columns in characters.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
-    /// The line, from 1.
-    pub line: u32,
-    /// The character of the line, from 1; a tab is one character.
-    pub column: u32,
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "line {}, column {}", self.line, self.column)
-    }
 }
 
 /// A grammar whose start symbol derives at least one finite text.

@@ -10,6 +10,6 @@ mod operators;
 
 pub use cases::Cases;
 pub use genome::Genome;
-pub use grammar::{AlternativeId, Grammar, GrammarError, Place, RuleId, Symbol, TerminalId};
+pub use grammar::{AlternativeId, Grammar, GrammarError, RuleId, Symbol, TerminalId};
 pub use mapping::{Codons, Derivation, Invalid, Limits, Mapped, Mapper, Phenotype};
 pub use operators::{Mutating, Mutation, fittest, fixed_one_point, tournament, variable_one_point};

@@ -9,8 +9,9 @@
 //! each alternative must read as that. So a mapping that ends always gives a tree.
 
 use super::leaf::{Name, Object, Tag, Takes};
-use crate::evolution::{AlternativeId, Grammar, Place, RuleId, Symbol};
+use crate::evolution::{AlternativeId, Grammar, RuleId, Symbol};
 use crate::nearest::nearest;
+use crate::place::Place;
 use std::fmt;
 
 /// A word or bracket of the language.

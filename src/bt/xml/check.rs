@@ -3,11 +3,12 @@
 use super::document::{Attribute, Element, Role};
 use super::literal::PortType;
 use super::manifest::{Direction, NodeKind, NodeType};
-use super::place::{Place, Problem, Source};
+use super::problem::{Problem, Source};
 use super::read::{Draft, Known, is_literal};
 use super::recursion;
 use crate::bt::script::Script;
 use crate::nearest::nearest;
+use crate::place::Place;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Reports everything that is wrong with a draft, and what is only doubtful as warnings.

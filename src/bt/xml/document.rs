@@ -2,7 +2,7 @@
 
 use super::literal::PortType;
 use super::manifest::{Direction, Manifest, NodeKind, NodeType, Port};
-use super::place::Place;
+use crate::place::Place;
 use std::collections::BTreeSet;
 
 /// The one format that is read and written.

@@ -1,7 +1,7 @@
 //! The XML of BehaviorTree.CPP, format 4: reading, checking and writing.
 //!
 //! [`read`] reports every fault of a text at once, each with the line and column where the user typed it; the
-//! reference stops at the first one and counts lines in its own copy. [`write`] gives the canonical form. Import,
+//! reference stops at the first one and counts lines in its own copy. [`write()`] gives the canonical form. Import,
 //! export and import again give the same document, comments and unknown metadata included.
 //!
 //! ```
@@ -24,16 +24,17 @@ mod document;
 mod literal;
 mod manifest;
 mod model;
-mod place;
+mod problem;
 mod read;
 mod recursion;
 mod scan;
 mod write;
 
+pub use crate::place::Place;
 pub use document::{Attribute, Document, Element, FORMAT, Model, ModelPart, ModelPort, Role, TreeDefinition, When};
 pub use literal::{Item, PortType, reference};
 pub use manifest::{Arity, Direction, Manifest, NodeKind, NodeType, Port, RegisterError, builtin_nodes};
-pub use place::{Place, Problem};
+pub use problem::Problem;
 pub use read::read;
 pub use recursion::MOST_NODES;
 pub use scan::{DEEPEST, MOST_ATTRIBUTES, MOST_BYTES};

@@ -3,7 +3,7 @@
 use super::check::name_fault;
 use super::document::{Attribute, Document, Model, ModelPart, ModelPort};
 use super::manifest::{Direction, NodeKind};
-use super::place::Problem;
+use super::problem::Problem;
 use super::read::Reader;
 use roxmltree::Node;
 use std::collections::BTreeSet;

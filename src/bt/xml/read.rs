@@ -5,9 +5,10 @@ use super::document::{Attribute, Document, Element, Role, TreeDefinition, When};
 use super::literal::reference;
 use super::manifest::{Manifest, NodeKind, NodeType};
 use super::model;
-use super::place::{Place, Problem, Source};
+use super::problem::{Problem, Source};
 use super::scan::{MOST_BYTES, element_name, scan};
 use crate::nearest::nearest;
+use crate::place::Place;
 use roxmltree::{Node, TextPos};
 use std::collections::BTreeMap;
 

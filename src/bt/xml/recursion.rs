@@ -2,9 +2,10 @@
 
 use super::document::Element;
 use super::manifest::NodeKind;
-use super::place::{Place, Problem};
+use super::problem::Problem;
 use super::read::Draft;
 use super::scan::DEEPEST;
+use crate::place::Place;
 use std::collections::BTreeMap;
 
 /// The most nodes of a tree after all its SubTrees are replaced by what they stand for.

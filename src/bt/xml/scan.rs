@@ -1,6 +1,6 @@
 //! One pass over the bytes before the XML reader sees them: limits, and elements that are never closed.
 
-use super::place::{Problem, Source};
+use super::problem::{Problem, Source};
 
 /// The largest text that is read, in bytes.
 pub const MOST_BYTES: usize = 2_000_000;

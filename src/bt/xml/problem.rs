@@ -1,21 +1,7 @@
 //! Places in the text as the user typed it, and the problems that stand there.
 
+use crate::place::Place;
 use std::fmt;
-
-/// A place in a text: line and column from 1, columns in characters; 0 and 0 in documents that were never a text.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Place {
-    /// The line, from 1.
-    pub line: u32,
-    /// The character of the line, from 1; a tab is one character.
-    pub column: u32,
-}
-
-impl fmt::Display for Place {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "line {}, column {}", self.line, self.column)
-    }
-}
 
 /// One fault of a document, or one thing to know about it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -162,11 +162,13 @@ const PARTS = [
   ['native tests', () => tests(['cargo', 'test', '--locked', '--no-fail-fast', '--', '--quiet'])],
   [
     'tests in WebAssembly',
-    // Doctests run natively; naming the targets leaves them out.
+    // Doctests run natively; naming the targets leaves them out. Debug information would make every test program
+    // several times larger, and preparing it for Node take eight times as long.
     () =>
       tests(
         ['wasm-pack', '--log-level', 'warn', 'test', '--mode', 'no-install', '--node']
           .concat(['--', '--no-default-features', '--lib', '--test', '*']),
+        { CARGO_PROFILE_DEV_DEBUG: '0' },
       ),
   ],
   [

@@ -168,8 +168,23 @@ fn a_live_change_becomes_an_event_that_replays() {
     while live.seek(30, 1000) != 30 {}
     live.set("geese.children", &json!(9)).expect("a live parameter");
     assert_eq!(live.run().scenario().events.len(), 1, "a change in the past drops what was later");
+    let fault = live.set("geese.mutation-mode", &json!("bit")).and_then(|()| live.set("geese.children", &json!(0)));
+    assert!(
+        fault.expect_err("no brood of 0").message.starts_with("expected a whole number from 1"),
+        "bounds hold live"
+    );
+    live.set("geese.children", &json!(9)).expect("a live parameter");
     assert_eq!(live.set("geese.agents", &json!(9)).expect_err("it needs a restart").path, "geese.agents");
-    assert_eq!(live.run().scenario().events.len(), 1);
+    assert_eq!(live.run().scenario().events.len(), 2);
+}
+
+#[test]
+fn a_live_change_that_does_not_fit_the_rest_is_refused() {
+    let scenario = json!({"world": "geese", "mutation-mode": "codon", "codon-max": 200});
+    let mut run = Run::new(read(&scenario).expect("valid")).expect("it builds");
+    let error = run.set("geese.mutation-mode", &json!("bit")).expect_err("200 is no power of two less one");
+    assert_eq!(error.path, "codon-max");
+    assert!(run.scenario().events.is_empty());
 }
 
 #[test]

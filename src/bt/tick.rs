@@ -125,10 +125,9 @@ pub fn pass_time<L, H: Host<L>, R: Recorder>(
     memory.now = memory.now.saturating_add(milliseconds);
     let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
     for node in (0..ticking.memory.timers.len() as u32).map(NodeId) {
-        let Some(due) = ticking.memory.timer(node).filter(|&due| due > before && due <= ticking.memory.now) else {
+        if !ticking.memory.timer(node).is_some_and(|due| due > before && due <= ticking.memory.now) {
             continue;
-        };
-        debug_assert!(due <= ticking.memory.now);
+        }
         ticking.memory.wake_up = true;
         if let Kind::Builtin(builtin) = &tree.nodes()[node.index()].kind
             && matches!(**builtin, Builtin::Timeout { .. })

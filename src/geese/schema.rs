@@ -420,6 +420,15 @@ impl Params {
             );
             return Err(("max-depth", message));
         }
+        self.check_fit()?;
+        Ok(compiler)
+    }
+
+    /// Checks what concerns several parameters but not the grammar: all that a live change can upset, at little cost.
+    ///
+    /// # Errors
+    /// As [`Params::check`].
+    pub fn check_fit(&self) -> Result<(), (&'static str, String)> {
         if self.mutation_mode == MutationMode::Bit && !(u32::from(self.codon_max) + 1).is_power_of_two() {
             let message = format!(
                 "expected one less than a power of two (1, 3, 7 ... 65535) while mutation flips bits, found {}",
@@ -445,6 +454,6 @@ impl Params {
             );
             return Err(("hub-radius", message));
         }
-        Ok(compiler)
+        Ok(())
     }
 }

@@ -117,15 +117,14 @@ impl Run {
     }
 
     /// Changes a live parameter now. The change becomes an event at this tick; later events are dropped, because
-    /// what they belonged to will not happen. Returns whether any was.
+    /// what they belonged to will not happen.
     ///
     /// # Errors
     /// The key is unknown or needs a restart, or the value is not allowed; nothing changes then.
-    pub fn set(&mut self, key: &str, value: &Value) -> Result<bool, ScenarioError> {
+    pub fn set(&mut self, key: &str, value: &Value) -> Result<(), ScenarioError> {
         let tick = self.tick();
         let event = Event { tick, key: key.to_owned(), value: value.clone() };
         let keep = self.scenario.events.partition_point(|event| event.tick <= tick);
-        let dropped = keep < self.scenario.events.len();
         let mut events = self.scenario.events[..keep].to_vec();
         // A slider that is dragged changes its mind many times in one tick: the last word counts.
         events.retain(|other| other.tick < tick || other.key != key);
@@ -135,7 +134,7 @@ impl Run {
         }
         events.push(event);
         self.scenario.events = events;
-        Ok(dropped)
+        Ok(())
     }
 
     fn apply_events(&mut self) {

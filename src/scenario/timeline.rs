@@ -97,10 +97,4 @@ impl Timeline {
         self.bytes = self.keyframes.iter().map(|frame| frame.1.bytes()).sum();
         Ok(())
     }
-
-    /// How many keyframes there are, and about how many bytes they take.
-    #[must_use]
-    pub fn size(&self) -> (usize, usize) {
-        (self.keyframes.len(), self.bytes)
-    }
 }

@@ -46,8 +46,12 @@ export const cases = [
       const name = page.locator('.selected-name');
       await name.filter({ hasText: 'Robot 99' }).waitFor();
       for (const key of ['ArrowLeft', 'ArrowUp', 'ArrowRight', 'ArrowDown']) await page.keyboard.press(key);
-      assert.match((await name.textContent()) ?? '', /Robot \d+/);
-      await page.locator('.scopes button[aria-pressed=true]').filter({ hasText: (await name.textContent()) ?? '' }).waitFor();
+      // Label and inspector follow with the next frames: wait until both name the same robot.
+      await page.waitForFunction(() => {
+        const named = document.querySelector('.selected-name')?.textContent ?? '';
+        const pressed = document.querySelector('.scopes button[aria-pressed=true]')?.textContent ?? '';
+        return /Robot \d+/.test(named) && pressed.includes(named.trim());
+      });
     },
   ],
   [

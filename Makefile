@@ -19,27 +19,28 @@ help:
 	@echo 'make clean    remove what was built, but not the tools and packages, which take minutes'
 
 # The browser's address is printed last; the sources of the page are served, so an edit shows at once.
-play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json www/engine/swarm_playground_bg.wasm
+play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json www/engine/swarm_playground_bg.wasm \
+  www/trees/engine/swarm_playground_bg.wasm
 	@node scripts/play.mjs
 
 test: check
 	@node scripts/test.mjs
 
-build: check node_modules/.package-lock.json www/engine/.optimised
+build: check node_modules/.package-lock.json engine
 	@node_modules/.bin/vite build --logLevel warn
 	@echo 'Built dist/.'
 
-bench: check www/engine/.optimised
+bench: check engine
 	@node scripts/bench.mjs
 
 clean:
-	rm -rf dist www/engine
+	rm -rf dist www/engine www/trees/engine
 	cargo clean
 
 # Steps of the above, by name for scripts/test.mjs.
 tools: .tools/bin/wasm-pack
 packages: node_modules/.package-lock.json
-engine: www/engine/.optimised
+engine: www/engine/.optimised www/trees/engine/.optimised
 
 check:
 	@sh scripts/check.sh $(MAKECMDGOALS)
@@ -61,10 +62,12 @@ node_modules/.package-lock.json: package-lock.json | check
 	@npm ci --no-audit --no-fund --loglevel error
 	@touch $@
 
-# The engine is built in one place in two ways: quickly for `make play`, and optimised for everything that is given
-# away or measured. The file .optimised says which one is there; `make play` takes either.
-wasm_pack_build = .tools/bin/wasm-pack --log-level warn build --mode no-install \
-  --target web --release --out-dir www/engine --out-name swarm_playground --no-pack
+# The engine is two wasm files: the worlds, and the tree workbench, which the page loads when it is opened. Each is
+# built in one place in two ways: quickly for `make play`, and optimised for everything that is given away or measured.
+# The file .optimised says which one is there; `make play` takes either.
+#   $(call wasm_pack_build,FACE,FOLDER,OPTIONS OF WASM-PACK)
+wasm_pack_build = .tools/bin/wasm-pack --log-level warn build --mode no-install --target web --release \
+  --out-dir $(2) --out-name swarm_playground --no-pack $(3) -- --no-default-features --features $(1)
 
 # Folders are among the sources: they change when a file is removed.
 engine_sources := Cargo.toml Cargo.lock $(shell find src scenarios)
@@ -72,9 +75,19 @@ engine_sources := Cargo.toml Cargo.lock $(shell find src scenarios)
 www/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
 	@echo 'Building the engine'
 	@rm -f www/engine/.optimised
-	@$(wasm_pack_build) --no-opt -- --no-default-features
+	@$(call wasm_pack_build,worlds,www/engine,--no-opt)
 
 www/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
 	@echo 'Building the optimised engine'
-	@$(wasm_pack_build) -- --no-default-features
+	@$(call wasm_pack_build,worlds,www/engine)
+	@touch $@
+
+www/trees/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
+	@echo 'Building the tree workbench'
+	@rm -f www/trees/engine/.optimised
+	@$(call wasm_pack_build,trees,www/trees/engine,--no-opt)
+
+www/trees/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
+	@echo 'Building the optimised tree workbench'
+	@$(call wasm_pack_build,trees,www/trees/engine)
 	@touch $@

@@ -20,7 +20,7 @@
 //! - [`random`], [`fingerprint`], [`parameter`], [`place`], [`nearest`], [`verdict`]: streams, state hashes, the form of
 //!   a parameter, places in a text, spelling, how a case came out.
 //! - [`bt`]: behaviour trees. [`evolution`]: grammatical evolution. Neither knows a world.
-//! - [`geese`]: the foraging swarm that evolves its behaviour trees.
+//! - [`geese`]: the foraging swarm that evolves its behaviour trees. [`workbench`]: any tree, tick by tick.
 //! - [`scenario`]: the one JSON description of a run, and runs that can be sought through.
 //! - `web`: the wasm face. The command line is `src/main.rs`.
 
@@ -36,3 +36,4 @@ pub mod scenario;
 pub mod verdict;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+pub mod workbench;

@@ -21,7 +21,7 @@ fn floor(module: &str) -> u32 {
     match module {
         "random" | "fingerprint" | "parameter" | "nearest" | "place" | "verdict" => 0,
         "bt" | "evolution" => 1,
-        "geese" => 2,
+        "geese" | "workbench" => 2,
         "scenario" => 3,
         "web" | "main" => 5,
         other => panic!("src/{other} stands on no floor: name it here"),

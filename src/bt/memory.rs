@@ -4,6 +4,7 @@ use super::blackboard::{Boards, Entry, EntryId, MAIN};
 use super::builtin::{BoundScript, Extra, Key, Source};
 use super::script::Entries;
 use super::{NodeId, Status, Tree, Value};
+use crate::fingerprint::Fingerprint;
 
 /// The state of a tree; made for one tree, and good for no other.
 #[derive(Clone, Debug, Default)]
@@ -88,6 +89,23 @@ impl Memory {
     pub fn entries(&self) -> impl Iterator<Item = (u32, &str, &Entry)> {
         let known = self.boards.iter().flat_map(|boards| boards.entries());
         known.map(|(id, board, name)| (board, name, &self.entries[id.0 as usize]))
+    }
+
+    /// Takes the whole state into a fingerprint.
+    pub fn hash_into(&self, hash: &mut Fingerprint) {
+        for slot in &self.slots {
+            hash.u32(slot.status as u32);
+            hash.u64(u64::from(slot.cursor) << 32 | u64::from(slot.count));
+        }
+        hash.u64(u64::from(self.wake_up));
+        hash.u64(self.now);
+        for timer in &self.timers {
+            hash.u64(timer.unwrap_or(u64::MAX));
+        }
+        for entry in &self.entries {
+            hash.u32(entry.writes);
+            entry.value.iter().for_each(|value| value.hash_into(hash));
+        }
     }
 
     pub(super) fn entry(&self, entry: EntryId) -> &Entry {

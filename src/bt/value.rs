@@ -1,5 +1,6 @@
 //! The values that blackboard entries, ports and scripts hold.
 
+use crate::fingerprint::Fingerprint;
 use std::fmt;
 
 /// A value of a blackboard entry.
@@ -22,6 +23,23 @@ impl Value {
             .ok()
             .filter(|number| number.is_finite())
             .map_or_else(|| Self::Text(text.to_owned()), Self::Number)
+    }
+
+    /// Takes the value into a fingerprint.
+    pub(super) fn hash_into(&self, hash: &mut Fingerprint) {
+        match self {
+            Self::Number(number) => hash.f64(*number),
+            Self::Text(text) => {
+                hash.u64(text.len() as u64);
+                text.bytes().for_each(|byte| hash.u32(u32::from(byte)));
+            }
+            Self::Queue(values) => {
+                hash.u64(values.len() as u64);
+                for value in values {
+                    value.hash_into(hash);
+                }
+            }
+        }
     }
 }
 

@@ -1,8 +1,6 @@
-//! The wasm face: each method converts and calls, nothing more.
-//!
-//! Configuration, queries and answers cross as JSON text; frames as a flat buffer of `f32` in wasm memory, of which
-//! the page makes a view after each call. Errors cross as `Error` with the core's message.
+//! The worlds. Frames cross as a flat buffer of `f32` in wasm memory, of which the page makes a view after each call.
 
+use super::{answer, error};
 use crate::geese::{Derived, Detail, Layout, Query, SAMPLE_EVERY, World as Geese, fill_frame};
 use crate::scenario::{Run, Scenario, Timeline, schema as parameters};
 use serde_json::{Value, json};
@@ -10,23 +8,6 @@ use wasm_bindgen::prelude::*;
 
 /// Bytes that keyframes may take.
 const KEYFRAME_BYTES: usize = 32 << 20;
-
-/// Turns a panic into an exception with its message; the page then ends the worker.
-#[wasm_bindgen(start)]
-pub fn start() {
-    std::panic::set_hook(Box::new(|info| wasm_bindgen::throw_str(&format!("the engine stopped: {info}"))));
-}
-
-fn error(error: &impl ToString) -> JsError {
-    JsError::new(&error.to_string())
-}
-
-/// The version of the engine.
-#[wasm_bindgen]
-#[must_use]
-pub fn version() -> String {
-    env!("CARGO_PKG_VERSION").to_owned()
-}
 
 /// Every parameter as JSON.
 #[wasm_bindgen]
@@ -169,11 +150,6 @@ impl World {
         })
         .to_string()
     }
-}
-
-/// An answer as JSON; serialising our own types cannot fail.
-fn answer(value: Option<impl serde::Serialize>) -> String {
-    value.and_then(|value| serde_json::to_string(&value).ok()).unwrap_or_else(|| "null".to_owned())
 }
 
 fn as_codon(value: &Value) -> Option<u16> {

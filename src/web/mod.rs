@@ -1,0 +1,35 @@
+//! The wasm face: each method converts and calls, nothing more.
+//!
+//! Configuration, queries and answers cross as JSON text, errors as `Error` with the core's message. There are two
+//! faces, each a wasm file of its own, so that the page loads the tree workbench only when it is opened.
+
+#[cfg(feature = "trees")]
+mod trees;
+#[cfg(feature = "worlds")]
+mod worlds;
+
+use wasm_bindgen::prelude::*;
+
+/// Turns a panic into an exception with its message; the page then ends the worker.
+#[wasm_bindgen(start)]
+pub fn start() {
+    std::panic::set_hook(Box::new(|info| wasm_bindgen::throw_str(&format!("the engine stopped: {info}"))));
+}
+
+/// The version of the engine.
+#[wasm_bindgen]
+#[must_use]
+pub fn version() -> String {
+    env!("CARGO_PKG_VERSION").to_owned()
+}
+
+#[cfg(any(feature = "worlds", feature = "trees"))]
+fn error(error: &impl ToString) -> JsError {
+    JsError::new(&error.to_string())
+}
+
+/// An answer as JSON; serialising our own types cannot fail.
+#[cfg(any(feature = "worlds", feature = "trees"))]
+fn answer(value: Option<impl serde::Serialize>) -> String {
+    value.and_then(|value| serde_json::to_string(&value).ok()).unwrap_or_else(|| "null".to_owned())
+}

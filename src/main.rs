@@ -10,6 +10,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 use swarm_playground::bt::xml::{self, Manifest, Problem};
 use swarm_playground::scenario::{Run, Scenario, schema};
+use swarm_playground::workbench::{Setup, tick_headless};
 use swarm_playground::{bt, evolution};
 
 /// Evolve, search for and coach the behaviour of groups of agents.
@@ -80,6 +81,14 @@ enum TreeCommand {
     Format {
         /// The XML file
         file: PathBuf,
+    },
+    /// Measure how fast the root is ticked and print the result as one line of JSON
+    Bench {
+        /// A setup of the workbench, saved by the page as JSON
+        file: PathBuf,
+        /// Ticks of the root
+        #[arg(long, default_value_t = 2_000_000)]
+        ticks: u32,
     },
     /// Print a drawing of the trees as SVG
     Svg {
@@ -215,7 +224,10 @@ fn conform(what: &Conform) -> Result<(), Failure> {
 }
 
 fn tree(what: &TreeCommand) -> Result<(), Failure> {
-    let (TreeCommand::Check { file } | TreeCommand::Format { file } | TreeCommand::Svg { file }) = what;
+    let file = match what {
+        TreeCommand::Bench { file, ticks } => return bench_tree(file, *ticks),
+        TreeCommand::Check { file } | TreeCommand::Format { file } | TreeCommand::Svg { file } => file,
+    };
     let text = read_file(file)?;
     let manifest = Manifest::default();
     let place = |problem: &Problem| format!("{}: {problem}", file.display());
@@ -224,7 +236,9 @@ fn tree(what: &TreeCommand) -> Result<(), Failure> {
         Failure::Input(lines.join("\nswarm-playground: "))
     })?;
     match what {
-        TreeCommand::Check { .. } => {
+        TreeCommand::Svg { .. } => print(bt::draw_svg(&document).trim_end()),
+        TreeCommand::Format { .. } => print(xml::write(&document, &manifest).trim_end()),
+        TreeCommand::Check { .. } | TreeCommand::Bench { .. } => {
             for warning in &warnings {
                 print(&format!("warning: {}", place(warning)))?;
             }
@@ -232,9 +246,28 @@ fn tree(what: &TreeCommand) -> Result<(), Failure> {
             document.each(&mut |_| nodes += 1);
             print(&format!("{}: valid, {nodes} nodes in {} trees", file.display(), document.trees.len()))
         }
-        TreeCommand::Format { .. } => print(xml::write(&document, &manifest).trim_end()),
-        TreeCommand::Svg { .. } => print(bt::draw_svg(&document).trim_end()),
     }
+}
+
+#[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
+fn bench_tree(file: &Path, ticks: u32) -> Result<(), Failure> {
+    let in_file = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
+    let value: Value = serde_json::from_str(&read_file(file)?).map_err(|error| in_file(&error))?;
+    let setup = Setup::from_value(&value).map_err(|error| in_file(&error))?;
+    let begun = Instant::now();
+    let done = tick_headless(&setup, ticks).map_err(|problems| {
+        let first = problems.iter().find(|problem| !problem.warning);
+        in_file(&first.map(|problem| format!("xml, {problem}")).unwrap_or_default())
+    })?;
+    let seconds = begun.elapsed().as_secs_f64();
+    let result = json!({
+        "ticks": ticks,
+        "completed": done.completed,
+        "seconds": seconds,
+        "ticks_per_second": f64::from(ticks) / seconds,
+        "fingerprint": format!("{:016x}", done.fingerprint),
+    });
+    print(&result.to_string())
 }
 
 #[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]

@@ -9,6 +9,7 @@
 mod body;
 mod breeding;
 mod derive;
+mod export;
 mod field;
 mod frame;
 mod grid;
@@ -24,6 +25,7 @@ mod variety;
 mod world;
 
 pub use derive::{Derived, DerivedStep};
+pub use export::{export_agent, write_xml};
 pub use frame::{Layout, fill_frame};
 pub use inspect::{Detail, Query};
 pub use language::LanguageError;

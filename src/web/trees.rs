@@ -1,6 +1,7 @@
 //! The tree workbench.
 
 use super::{answer, error};
+use crate::bt::xml::Problem;
 use crate::place::Place;
 use crate::workbench;
 use serde_json::Value;
@@ -26,10 +27,27 @@ pub fn variants(xml: &str, line: u32, column: u32) -> String {
 /// The first fault of the text with its place.
 #[wasm_bindgen]
 pub fn format(xml: &str) -> Result<String, JsError> {
-    workbench::format(xml).map_err(|problems| {
-        let first = problems.iter().find(|problem| !problem.warning);
-        error(&first.map(ToString::to_string).unwrap_or_default())
-    })
+    workbench::format(xml).map_err(|problems| first_fault(&problems))
+}
+
+/// Ticks the tree of a setup and keeps nothing, for measuring; returns the fingerprint as 16 hex digits.
+///
+/// # Errors
+/// The setup is not valid, or its document has faults.
+#[wasm_bindgen]
+pub fn tick_headless(setup: &str, ticks: u32) -> Result<String, JsError> {
+    let done = workbench::tick_headless(&read(setup)?, ticks).map_err(|problems| first_fault(&problems))?;
+    Ok(format!("{:016x}", done.fingerprint))
+}
+
+fn read(setup: &str) -> Result<workbench::Setup, JsError> {
+    let setup: Value = serde_json::from_str(setup).map_err(|fault| error(&fault))?;
+    workbench::Setup::from_value(&setup).map_err(|fault| error(&fault))
+}
+
+fn first_fault(problems: &[Problem]) -> JsError {
+    let first = problems.iter().find(|problem| !problem.warning);
+    error(&first.map(ToString::to_string).unwrap_or_default())
 }
 
 /// A tree on the bench.
@@ -53,9 +71,7 @@ impl Bench {
     /// # Errors
     /// The setup is not valid; faults of its document are part of the answer.
     pub fn open(&mut self, setup: &str) -> Result<String, JsError> {
-        let setup: Value = serde_json::from_str(setup).map_err(|fault| error(&fault))?;
-        let setup = workbench::Setup::from_value(&setup).map_err(|fault| error(&fault))?;
-        Ok(answer(Some(self.bench.open(&setup))))
+        Ok(answer(Some(self.bench.open(&read(setup)?))))
     }
 
     /// Goes up to `ticks` further, or to the next breakpoint; returns the moment as JSON.

@@ -18,6 +18,7 @@
 //! ```
 
 mod bench;
+mod headless;
 mod leaves;
 mod moment;
 mod record;
@@ -26,6 +27,7 @@ mod shown;
 mod variants;
 
 pub use bench::Bench;
+pub use headless::{Headless, tick_headless};
 pub use moment::{Moment, Stopped, Timeline};
 pub use setup::{Answer, Event, EventKind, Mode, Setup, SetupError};
 pub use shown::{Opened, ShownNode, ShownTree, models};

@@ -109,6 +109,22 @@ function failure(note) {
 }
 
 /**
+ * Our trees in another implementation. A machine on which that cannot be installed skips the part and says so.
+ * @returns {Promise<Outcome>}
+ */
+async function peer() {
+  const suits = 'import sys; sys.exit(sys.version_info < (3, 8))';
+  if (!(await run(['python3', '-c', suits], { quiet: true })).ok) {
+    const note = 'skipped: no python3 of version 3.8 or later was found';
+    console.log(note);
+    return { passed: 0, failed: 0, note };
+  }
+  const { lines, ok } = await run(['python3', 'scripts/peer.py']);
+  const note = lines.find((line) => line.startsWith('skipped: '));
+  return ok && note ? { passed: 0, failed: 0, note } : count(lines, ok);
+}
+
+/**
  * The path of a Chromium. Root on Debian gets one installed; elsewhere the error says what to install.
  * @returns {Promise<string>}
  */
@@ -160,6 +176,7 @@ const PARTS = [
       ),
   ],
   ['native tests', () => tests(['cargo', 'test', '--locked', '--no-fail-fast', '--', '--quiet'])],
+  ['peer check', peer],
   [
     'tests in WebAssembly',
     // Doctests run natively; naming the targets leaves them out. Debug information would make every test program
@@ -195,7 +212,7 @@ for (const [name, part] of PARTS) {
   console.log(`\n== ${name}`);
   const start = Date.now();
   const outcome = await part().catch((error) => failure(error.message));
-  if (outcome.note) console.log(`Failed: ${outcome.note}`);
+  if (outcome.failed > 0 && outcome.note) console.log(`Failed: ${outcome.note}`);
   rows.push({ name, seconds: (Date.now() - start) / 1000, ...outcome });
 }
 

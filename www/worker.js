@@ -49,7 +49,7 @@ async function answer(request) {
 }
 
 /** Requests that may fail because of what was asked; any other failure means that the engine is broken. */
-const REFUSES = new Set(['load', 'event', 'complete', 'inspect', 'derive']);
+const REFUSES = new Set(['load', 'event', 'complete', 'inspect', 'export', 'derive']);
 
 /** @type {Record<string, (request: Request) => [object, Transferable[]?] | Promise<[object, Transferable[]?]>>} */
 const ANSWERS = {
@@ -107,6 +107,7 @@ const ANSWERS = {
   },
 
   inspect: ({ query }) => [{ type: 'detail', detail: JSON.parse(running().inspect(JSON.stringify(query))) }],
+  export: ({ query }) => [{ type: 'exported', xml: running().export(JSON.stringify(query)) ?? null }],
   derive: ({ codons }) => [{ type: 'derived', derived: JSON.parse(running().derive(JSON.stringify(codons))) }],
   history: ({ from }) => [{ type: 'history', history: JSON.parse(running().history(from)) }],
   complete: ({ scenario }) => [{ type: 'completed', scenario: JSON.parse(complete(scenario)) }],

@@ -3,6 +3,7 @@
 //! The text is written directly: the page's first load has no room for the general writer ([`crate::bt::xml`]), whose
 //! canonical form this is.
 
+use super::inspect::Query;
 use super::leaf::{Leaf, Name, Object, Tag, Takes};
 use super::world::World;
 use crate::bt::{Kind, NodeId, Tree};
@@ -15,6 +16,20 @@ pub fn export_agent(world: &World, agent: u32) -> Option<String> {
     Some(write_xml(&mind.ran(state.tick).tree, &format!("Agent_{agent}")))
 }
 
+/// The program that a query asks for, as [`write_xml`] writes it: the agent's, or the one of that id. `None` when there
+/// is no such agent or nobody runs such a program.
+#[must_use]
+pub fn export_query(world: &World, query: &Query) -> Option<String> {
+    let state = world.state();
+    let holds = |id: u64| state.minds.iter().position(|mind| mind.ran(state.tick).id == id);
+    let agent = match (query.agent, &query.program) {
+        (Some(agent), _) => agent,
+        (None, Some(program)) => holds(u64::from_str_radix(program, 16).ok()?)? as u32,
+        (None, None) => return None,
+    };
+    export_agent(world, agent)
+}
+
 /// The document of one tree, in the canonical form, with a model for each leaf that it uses.
 ///
 /// A leaf `IsCarrying Food` is `<IsCarrying name="IsCarrying_Food" item="Food"/>`, so equal leaves have one name;
@@ -24,77 +39,65 @@ pub fn export_agent(world: &World, agent: u32) -> Option<String> {
 /// - `id`: of ASCII letters, digits and `_`, and not the name of a node.
 #[must_use]
 pub fn write_xml(tree: &Tree<Leaf>, id: &str) -> String {
-    let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root BTCPP_format=\"4\"");
-    text.extend([" main_tree_to_execute=\"", id, "\">\n  <BehaviorTree ID=\"", id, "\">\n"]);
-    let mut used = [false; Name::ALL.len()];
-    write_node(tree, NodeId(0), "    ", &mut text, &mut used);
-    text.push_str("  </BehaviorTree>\n  <TreeNodesModel>\n");
-    for name in Name::ALL.into_iter().filter(|name| used[*name as usize]) {
-        write_model(name, &mut text);
+    let nodes = element(tree, NodeId(0), "    ");
+    let mut models = String::new();
+    for name in Name::ALL {
+        if tree.nodes().iter().any(|node| matches!(&node.kind, Kind::Leaf(leaf) if leaf.name == name)) {
+            models.push_str(&model(name));
+        }
     }
-    text.push_str("  </TreeNodesModel>\n</root>\n");
-    text
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root BTCPP_format=\"4\" main_tree_to_execute=\"{id}\">\n  \
+         <BehaviorTree ID=\"{id}\">\n{nodes}  </BehaviorTree>\n  \
+         <TreeNodesModel>\n{models}  </TreeNodesModel>\n</root>\n"
+    )
 }
 
-fn write_node(tree: &Tree<Leaf>, node: NodeId, indent: &str, text: &mut String, used: &mut [bool]) {
+fn element(tree: &Tree<Leaf>, node: NodeId, indent: &str) -> String {
     match &tree.nodes()[node.index()].kind {
-        Kind::Leaf(leaf) => {
-            used[leaf.name as usize] = true;
-            write_leaf(*leaf, indent, text);
-        }
+        Kind::Leaf(leaf) => leaf_element(*leaf, indent),
         kind => {
-            text.extend([indent, "<", kind.name(), ">\n"]);
-            let deeper = format!("{indent}  ");
+            let (deeper, mut children) = (format!("{indent}  "), String::new());
             for child in tree.children(node) {
-                write_node(tree, child, &deeper, text, used);
+                children.push_str(&element(tree, child, &deeper));
             }
-            text.extend([indent, "</", kind.name(), ">\n"]);
+            format!("{indent}<{0}>\n{children}{indent}</{0}>\n", kind.name())
         }
     }
 }
 
-fn write_leaf(leaf: Leaf, indent: &str, text: &mut String) {
-    let (name, object) = (leaf.name.text(), leaf.object.text());
-    let tag = |text: &mut String| {
-        if leaf.tag != Tag::None {
-            text.extend([" _tag=\"", leaf.tag.text(), "\""]);
-        }
+fn leaf_element(leaf: Leaf, indent: &str) -> String {
+    let (name, object, port) = (leaf.name.text(), leaf.object.text(), port(leaf.name));
+    let tag = if leaf.tag == Tag::None { String::new() } else { format!(" _tag=\"{}\"", leaf.tag.text()) };
+    let argument = match leaf.object {
+        Object::Nothing => String::new(),
+        _ => format!(" name=\"{name}_{object}\" {port}=\"{object}\""),
     };
     if leaf.negated {
-        text.extend([indent, "<Inverter"]);
-        tag(text);
-        text.push_str(">\n  ");
-    }
-    text.extend([indent, "<", name]);
-    if let (Some(port), true) = (port(leaf.name), leaf.object != Object::Nothing) {
-        text.extend([" name=\"", name, "_", object, "\" ", port, "=\"", object, "\""]);
-    }
-    if leaf.negated {
-        text.extend(["/>\n", indent, "</Inverter"]);
+        format!("{indent}<Inverter{tag}>\n{indent}  <{name}{argument}/>\n{indent}</Inverter>\n")
     } else {
-        tag(text);
-        text.push('/');
+        format!("{indent}<{name}{argument}{tag}/>\n")
     }
-    text.push_str(">\n");
 }
 
-/// The input port that holds the argument.
-fn port(name: Name) -> Option<&'static str> {
+/// The input port that holds the argument; empty when there is none.
+fn port(name: Name) -> &'static str {
     match name.takes() {
-        Takes::Nothing => None,
-        Takes::Place => Some("place"),
-        Takes::Item => Some("item"),
-        Takes::Object => Some("object"),
+        Takes::Nothing => "",
+        Takes::Place => "place",
+        Takes::Item => "item",
+        Takes::Object => "object",
     }
 }
 
-fn write_model(name: Name, text: &mut String) {
+fn model(name: Name) -> String {
+    let (id, port) = (name.text(), port(name));
     let kind = if name.is_action() { "Action" } else { "Condition" };
-    text.extend(["    <", kind, " ID=\"", name.text()]);
-    let Some(port) = port(name) else { return text.push_str("\"/>\n") };
-    text.extend(["\">\n      <input_port name=\"", port, "\" type=\"std::string\""]);
-    if name.takes() == Takes::Object {
-        text.push_str(" default=\"\"");
+    let default = if name.takes() == Takes::Object { " default=\"\"" } else { "" };
+    if port.is_empty() {
+        return format!("    <{kind} ID=\"{id}\"/>\n");
     }
-    text.extend(["/>\n    </", kind, ">\n"]);
+    format!(
+        "    <{kind} ID=\"{id}\">\n      <input_port name=\"{port}\" type=\"std::string\"{default}/>\n    </{kind}>\n"
+    )
 }

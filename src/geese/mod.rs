@@ -25,7 +25,7 @@ mod variety;
 mod world;
 
 pub use derive::{Derived, DerivedStep};
-pub use export::{export_agent, write_xml};
+pub use export::{export_agent, export_query, write_xml};
 pub use frame::{Layout, fill_frame};
 pub use inspect::{Detail, Query};
 pub use language::LanguageError;

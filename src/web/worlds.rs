@@ -1,7 +1,7 @@
 //! The worlds. Frames cross as a flat buffer of `f32` in wasm memory, of which the page makes a view after each call.
 
 use super::{answer, error};
-use crate::geese::{Derived, Detail, Layout, Query, SAMPLE_EVERY, World as Geese, fill_frame};
+use crate::geese::{Derived, Detail, Layout, Query, SAMPLE_EVERY, World as Geese, export_query, fill_frame};
 use crate::scenario::{Run, Scenario, Timeline, schema as parameters};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
@@ -121,6 +121,16 @@ impl World {
         let query: Value = serde_json::from_str(query).map_err(|fault| error(&fault))?;
         let query = Query::from_value(&query);
         Ok(answer(self.timeline.run_mut().geese_mut().map(|world| Detail::of(world, &query))))
+    }
+
+    /// The program that a query asks for as a document of BehaviorTree.CPP, or `undefined`.
+    ///
+    /// # Errors
+    /// The query is not valid.
+    pub fn export(&self, query: &str) -> Result<Option<String>, JsError> {
+        let query: Value = serde_json::from_str(query).map_err(|fault| error(&fault))?;
+        let query = Query::from_value(&query);
+        Ok(self.timeline.run().geese().and_then(|world| export_query(world, &query)))
     }
 
     /// The derivation of codons, given as a JSON list, as JSON.

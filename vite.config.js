@@ -28,5 +28,5 @@ export default defineConfig({
   base: './',
   plugins: [contentPolicy],
   worker: { format: 'es' },
-  build: { target: 'es2022', modulePreload: { polyfill: false }, assetsInlineLimit: 0 },
+  build: { target: 'es2022', modulePreload: { polyfill: false }, assetsInlineLimit: 0, chunkSizeWarningLimit: 700 }, // kB before compression; the editor of the tab Trees is the largest
 });

@@ -11,8 +11,9 @@ export class EngineError extends Error {
  * The page's side of the worker: every request gets one answer, some report progress before it.
  *
  * @param {(message: string) => void} onFatal called once when the engine has broken; the worker is ended already
+ * @param {() => Worker} spawn starts a worker that answers the requests
  */
-export function createEngine(onFatal) {
+export function createEngine(onFatal, spawn) {
   /** @type {Map<number, { resolve: (answer: any) => void, reject: (error: Error) => void, progress?: (tick: number) => void }>} */
   const waiting = new Map();
   /** @type {Worker | null} */
@@ -22,7 +23,7 @@ export function createEngine(onFatal) {
   /** Ends the worker, and starts a new one: a broken instance is never used again. */
   function start() {
     end('the engine was started again');
-    const fresh = new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+    const fresh = spawn();
     fresh.onmessage = (event) => receive(event.data);
     fresh.onerror = (event) => {
       event.preventDefault();

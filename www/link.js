@@ -1,3 +1,4 @@
+import { decode, pack, splitOnce, unpack } from './pack.js';
 import { text } from './ui/strings.en.js';
 
 /** @import { Parameter, Scenario, Value, LiveEvent } from './types.js' */
@@ -15,7 +16,6 @@ import { text } from './ui/strings.en.js';
  */
 
 export const LARGEST_SEED = Number.MAX_SAFE_INTEGER;
-export const LONGEST_LINK = 8000;
 
 /** Name of a parameter's field in a scenario. @param {string} key */
 export const fieldOf = (key) => key.slice(key.indexOf('.') + 1);
@@ -138,46 +138,4 @@ function readEvents(json, schema) {
     readValue(parameter, String(event.value));
   }
   return events;
-}
-
-/** @param {string} string @param {string} mark @returns {string[]} */
-function splitOnce(string, mark) {
-  const at = string.indexOf(mark);
-  return at < 0 ? [string] : [string.slice(0, at), string.slice(at + 1)];
-}
-
-/** @param {string} raw */
-function decode(raw) {
-  try {
-    return decodeURIComponent(raw);
-  } catch {
-    throw new Error(text.link.escape(raw));
-  }
-}
-
-/** `~` and base64url of raw deflate. @param {string} string */
-async function pack(string) {
-  const bytes = await through(new CompressionStream('deflate-raw'), new TextEncoder().encode(string));
-  let binary = '';
-  for (const byte of bytes) binary += String.fromCharCode(byte);
-  return `~${btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '')}`;
-}
-
-/** @param {string} packed */
-async function unpack(packed) {
-  if (!packed.startsWith('~')) return decode(packed);
-  try {
-    const binary = atob(packed.slice(1).replaceAll('-', '+').replaceAll('_', '/'));
-    const bytes = Uint8Array.from(binary, (letter) => letter.charCodeAt(0));
-    const unpacked = await through(new DecompressionStream('deflate-raw'), bytes);
-    return new TextDecoder('utf-8', { fatal: true }).decode(unpacked);
-  } catch {
-    throw new Error(text.link.packed);
-  }
-}
-
-/** @param {CompressionStream | DecompressionStream} stream @param {Uint8Array<ArrayBuffer>} bytes */
-async function through(stream, bytes) {
-  const piped = new Blob([bytes]).stream().pipeThrough(/** @type {ReadableWritablePair<Uint8Array, Uint8Array>} */ (/** @type {unknown} */ (stream)));
-  return new Uint8Array(await new Response(piped).arrayBuffer());
 }

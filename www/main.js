@@ -1,170 +1,47 @@
-import { EngineError, createEngine } from './engine.js';
-import { createRun } from './run.js';
-import { createSelection } from './selection.js';
-import { createSession, messageOf } from './session.js';
-import { createState } from './state.js';
+import { EngineError } from './engine.js';
+import { createRouter } from './router.js';
+import { createForage } from './tabs/forage.js';
 import { button, find, h } from './ui/dom.js';
-import { bindKeys } from './ui/keys.js';
-import { createNotices } from './ui/notices.js';
-import { onStorageBlocked } from './ui/storage.js';
+import { createKeys } from './ui/keys.js';
 import { text } from './ui/strings.en.js';
 import { createThemeSwitch } from './ui/theme.js';
-import { createControls } from './views/controls.js';
-import { createFault } from './views/fault.js';
-import { createFoot } from './views/foot.js';
-import { createInspector } from './views/inspector.js';
-import { createLegend } from './views/legend.js';
-import { createTransport } from './views/transport.js';
-import { createWorldView } from './views/world.js';
 
-/** @import { Preset, Session } from './session.js' */
+/** @import { TreesTab } from './tabs/trees.js' */
 
-const OPENING_PRESET = 'foraging';
-
-const state = createState(document.body);
-const pane = find('#world');
-const notices = createNotices(pane, find('#live'));
-const fault = createFault(pane, notices.say);
+const live = find('#live');
 const themes = createThemeSwitch();
-const selection = createSelection();
-const engine = createEngine(broke);
-const run = createRun(engine, state);
-/** @type {Session | null} */
-let session = null;
-
-pane.setAttribute('aria-label', text.world.region);
-onStorageBlocked(() => notices.say(text.notSaved));
-void start();
-
-async function start() {
-  if (typeof WebAssembly !== 'object') {
-    broke(text.fault.noWasm);
-    return;
-  }
-  try {
-    engine.start();
-    const hello = await engine.request('hello');
-    session = createSession({ engine, run, state, schema: hello.schema, version: hello.version, presets: readPresets(), say: notices.say });
-    build(session);
-    const mayMove = await session.open(location.hash);
-    if (mayMove && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
-  } catch (error) {
-    if (state.name !== 'error') broke(messageOf(error)); // an engine that broke has said so itself
-  }
-}
-
-/** Puts the page together. @param {Session} ready */
-function build(ready) {
-  const { theme } = themes;
-  const world = createWorldView({ pane, run, state, selection, theme, drawn: () => foot.drew() });
-  createLegend({ pane, run, state, selection, world });
-  createControls({ pane: find('#controls'), engine, run, session: ready });
-  const inspector = createInspector({
-    pane: find('#inspector'),
-    engine,
-    run,
-    state,
-    selection,
-    theme,
-    onTheme: themes.on,
-    ringed: world.showRinged,
-  });
-  const transportPane = find('#transport');
-  const transport = createTransport({ pane: transportPane, run, state, session: ready, say: notices.say });
-  const foot = createFoot({
-    pane: find('#foot'),
-    engine,
-    run,
-    state,
-    session: ready,
-    world: () => world,
-    theme,
-    treeSvg: inspector.treeSvg,
-    say: notices.say,
-  });
-  themes.on(world.invalidate);
-
-  find('#top').append(
-    h('h1', {}, text.title),
-    h('nav', {}, h('a', { href: '#/forage', 'aria-current': 'page', onclick: (/** @type {Event} */ event) => event.preventDefault() }, text.forage)),
-    h('div', { class: 'tools' }, themes.element, button(text.keys.open, () => keys.open(), { action: 'keys' })),
-  );
-  const keys = bindKeys(
+const nav = h('nav', { 'aria-label': text.tabs.label });
+const keys = createKeys({ keys: () => keys.open(), 'tab-forage': () => void router.visit('forage'), 'tab-trees': () => void router.visit('trees') });
+const router = createRouter({
+  nav,
+  keys,
+  places: [
     {
-      toggle: run.toggle,
-      forward: () => void run.step(1),
-      back: () => void run.step(-1),
-      'far-forward': () => void run.step(100),
-      'far-back': () => void run.step(-100),
-      restart: () => void ready.restart(),
-      'new-seed': transport.newSeed,
-      faster: transport.faster,
-      slower: transport.slower,
-      follow: selection.toggleFollow,
-      clear: () => (inspector.close(), selection.clear()),
+      name: 'forage',
+      label: text.tabs.forage,
+      element: find('#forage'),
+      load: async (parts) => createForage({ ...parts, live, themes, openTree }),
     },
-    [pane, transportPane],
-  );
-
-  run.on('settled', () => void ready.writeAddress());
-  run.on('scenario', () => void ready.writeAddress());
-  state.on((name, reason) => {
-    if (name === 'running') notices.announce(text.said.running);
-    if (name === 'paused') notices.announce(text.said.paused(run.tick));
-    if (name === 'finished') notices.announce(text.said.finished(reason, run.tick));
-  });
-  window.addEventListener('hashchange', () => void revisit(ready));
-  window.addEventListener('unhandledrejection', (event) => {
-    if (event.reason instanceof EngineError && event.reason.fatal) event.preventDefault(); // told by `broke`
-  });
-  document.addEventListener('visibilitychange', () => {
-    if (document.hidden) run.pause();
-  });
-}
-
-/** Back, forward or an address typed by hand. @param {Session} ready */
-async function revisit(ready) {
-  if (!ready.strayed()) return;
-  notices.clear();
-  await ready.open(location.hash);
-}
-
-/** The engine failed: its worker is ended; a new one takes the scenario to the tick it had reached. @param {string} message */
-function broke(message) {
-  const { tick, scenario } = run;
-  const ready = session;
-  state.to('error', message);
-  run.abandon();
-  const report = [message, `${text.title} ${ready?.version ?? ''}`, location.href, `tick ${tick}`, navigator.userAgent].join('\n');
-  if (!ready || !run.layout) {
-    fault.show(text.fault.start(message), { kept: text.fault.commandLine, report, offer: text.fault.retry, press: () => location.reload() });
-    return;
-  }
-  fault.show(text.fault.broken(message), {
-    kept: text.fault.kept,
-    report,
-    offer: text.fault.reload(tick),
-    press: async () => {
-      fault.hide();
-      engine.start();
-      try {
-        await run.load(scenario);
-        await run.seek(tick);
-      } catch (error) {
-        if (state.name !== 'error') broke(messageOf(error));
-      }
+    {
+      name: 'trees',
+      label: text.tabs.trees,
+      element: find('#trees'),
+      load: async (parts) => (await import('./tabs/trees.js')).createTrees({ ...parts, element: find('#trees'), live }),
     },
-  });
-}
+  ],
+});
 
-/** Presets are files, read alike by the page, the command line and the tests. @returns {Preset[]} the opening one first */
-function readPresets() {
-  const files = /** @type {Record<string, string>} */ (import.meta.glob('/scenarios/*.json', { query: '?raw', import: 'default', eager: true }));
-  return Object.entries(files)
-    .map(([path, json]) => {
-      const name = path.replace(/^.*\/|\.json$/g, '');
-      const { title, about } = JSON.parse(json);
-      return { name, title: String(title ?? name), about: String(about ?? ''), json };
-    })
-    .sort((a, b) => Number(b.name === OPENING_PRESET) - Number(a.name === OPENING_PRESET) || a.name.localeCompare(b.name));
+find('#top').append(h('h1', {}, text.title), nav, h('div', { class: 'tools' }, themes.element, button(text.keys.open, () => keys.open(), { action: 'keys' })));
+document.addEventListener('visibilitychange', () => {
+  if (document.hidden) router.pause();
+});
+window.addEventListener('unhandledrejection', (event) => {
+  if (event.reason instanceof EngineError && event.reason.fatal) event.preventDefault(); // told by the tab whose engine it is
+});
+void router.arrive(location.hash);
+
+/** Shows a tree in the workbench. @param {string} xml @param {string} title what it is, for people */
+async function openTree(xml, title) {
+  const tab = /** @type {TreesTab | null} */ (await router.visit('trees'));
+  tab?.openTree(xml, title);
 }

@@ -3,6 +3,7 @@ import { fieldOf, readLink, writeLink } from './link.js';
 
 /** @import { Engine } from './engine.js' */
 /** @import { Run } from './run.js' */
+/** @import { Address } from './router.js' */
 /** @import { State } from './state.js' */
 /** @import { Parameter, Scenario, Value } from './types.js' */
 /** @import { LinkParts } from './link.js' */
@@ -12,14 +13,12 @@ import { fieldOf, readLink, writeLink } from './link.js';
 /**
  * The scenario on screen: the preset, what differs from it, and changes that wait for a restart.
  *
- * @param {{ engine: Engine, run: Run, state: State, schema: Parameter[], version: string, presets: Preset[],
+ * @param {{ engine: Engine, run: Run, state: State, address: Address, schema: Parameter[], version: string, presets: Preset[],
  *   say: (message: string, kind?: 'note' | 'problem') => void }} parts
  */
-export function createSession({ engine, run, state, schema, version, presets, say }) {
+export function createSession({ engine, run, state, address, schema, version, presets, say }) {
   /** @type {(() => void)[]} */
   const listeners = [];
-  /** The hash this page wrote last: its own changes are no navigation. */
-  let written = '';
   let writing = 0;
   /** Whether the next address is a new entry of the history. */
   let push = false;
@@ -118,15 +117,9 @@ export function createSession({ engine, run, state, schema, version, presets, sa
       const ticket = ++writing;
       const hash = await session.link();
       if (ticket !== writing) return; // a later moment is being written
-      written = hash;
-      if (hash === location.hash) return;
-      if (push) history.pushState(null, '', hash);
-      else history.replaceState(null, '', hash);
+      address.write(hash, push);
       push = false;
     },
-
-    /** Whether the address was changed by someone else. */
-    strayed: () => location.hash !== written,
   };
 
   function tell() {

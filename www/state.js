@@ -13,11 +13,11 @@ const NEXT = {
 };
 
 /**
- * The one state of the page, mirrored as `data-state` on the body.
+ * The one state of a tab, mirrored as `data-state` on its element; the body carries the open tab's.
  *
- * @param {HTMLElement} body
+ * @param {HTMLElement} element
  */
-export function createState(body) {
+export function createState(element) {
   /** @type {((name: StateName, reason: string) => void)[]} */
   const listeners = [];
   const state = {
@@ -37,7 +37,7 @@ export function createState(body) {
       if (name === state.name && reason === state.reason) return true;
       state.name = name;
       state.reason = reason;
-      body.dataset.state = name;
+      element.dataset.state = name;
       for (const listener of listeners) listener(name, reason);
       return true;
     },

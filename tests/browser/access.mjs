@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 const axe = readFileSync(fileURLToPath(import.meta.resolve('axe-core')), 'utf8');
 
 /** Violations axe finds, one line each. @param {import('playwright-core').Page} page */
-async function violations(page) {
+export async function violations(page) {
   await page.evaluate(axe);
   return page.evaluate(async () => {
     const { violations: found } = await /** @type {any} */ (window).axe.run(document, { resultTypes: ['violations'] });

@@ -10,7 +10,7 @@ const MOST = 5;
  * @param {HTMLElement} live
  */
 export function createNotices(pane, live) {
-  const list = h('div', { class: 'notices', id: 'notices' });
+  const list = h('div', { class: 'notices' });
   pane.prepend(list);
 
   /**

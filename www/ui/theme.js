@@ -37,3 +37,5 @@ export function createThemeSwitch() {
   apply();
   return { element, theme: () => theme, on: (/** @type {() => void} */ listener) => void listeners.push(listener) };
 }
+
+/** @typedef {ReturnType<typeof createThemeSwitch>} ThemeSwitch */

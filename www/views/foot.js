@@ -1,7 +1,7 @@
 import { button, h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { copy, save } from '../ui/share.js';
-import { LONGEST_LINK } from '../link.js';
+import { LONGEST_LINK } from '../pack.js';
 import { createSvgContext } from '../draw/svgcontext.js';
 import { drawNames, drawWorld } from '../draw/world.js';
 

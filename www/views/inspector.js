@@ -3,7 +3,7 @@ import { text } from '../ui/strings.en.js';
 import { createTabs } from '../ui/tabs.js';
 import { EngineError } from '../engine.js';
 import { messageOf } from '../session.js';
-import { standalone } from '../ui/share.js';
+import { save, standalone } from '../ui/share.js';
 import { createTreeTab } from './treetab.js';
 import { createAgentTab } from './agenttab.js';
 import { createGenomeTab } from './genometab.js';
@@ -20,11 +20,12 @@ const EVERY_MS = 120;
 /**
  * The right pane. Asks the engine only for what its open tab shows, one question at a time.
  *
- * @param {{ pane: HTMLElement, engine: Engine, run: Run, state: State, selection: Selection, theme: () => Theme, onTheme: (listener: () => void) => void, ringed: () => void }} parts
- *   `ringed` is called when other robots are to be ringed
+ * @param {{ pane: HTMLElement, engine: Engine, run: Run, state: State, selection: Selection, theme: () => Theme, onTheme: (listener: () => void) => void, ringed: () => void,
+ *   openTree: (xml: string, title: string) => Promise<void>, say: (message: string, kind?: 'note' | 'problem') => void }} parts
+ *   `ringed` is called when other robots are to be ringed, `openTree` shows a tree in the workbench
  */
-export function createInspector({ pane, engine, run, state, selection, theme, onTheme, ringed }) {
-  const tree = createTreeTab(selection);
+export function createInspector({ pane, engine, run, state, selection, theme, onTheme, ringed, openTree, say }) {
+  const tree = createTreeTab({ selection, take: (bench) => void take(bench) });
   const agent = createAgentTab(run, selection);
   const genome = createGenomeTab(engine, run, selection);
   const chartsPanel = h('div', { class: 'tab-body' });
@@ -75,6 +76,19 @@ export function createInspector({ pane, engine, run, state, selection, theme, on
     if (scope === 'agent' && selection.agent !== null) return { agent: selection.agent, tree: true, ...withNode };
     if (scope === 'program' && program) return { program, tree: true, ...withNode };
     return { tree: true, ...withNode };
+  }
+
+  /** Takes the tree on screen away as XML. @param {boolean} bench into the workbench, else as a file */
+  async function take(bench) {
+    const { scope, agent } = selection;
+    const title = scope === 'agent' ? text.world.robot(agent ?? 0) : text.scope.program;
+    try {
+      const { xml } = await engine.request('export', { query: query() });
+      if (bench) await openTree(xml, title);
+      else save(`${title.toLowerCase().replaceAll(' ', '-')}-tick${run.tick}.xml`, new Blob([xml], { type: 'application/xml' }));
+    } catch (error) {
+      if (!(error instanceof EngineError && error.fatal)) say(text.tree.notExported(messageOf(error)), 'problem');
+    }
   }
 
   async function refresh() {

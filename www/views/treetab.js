@@ -9,9 +9,9 @@ import { createTreeFigure } from './treefigure.js';
 /**
  * The trees of the swarm: everyone's, one group's, one robot's.
  *
- * @param {Selection} selection
+ * @param {{ selection: Selection, take: (bench: boolean) => void }} parts `take` gives the tree on screen away as XML: into the workbench, or as a file
  */
-export function createTreeTab(selection) {
+export function createTreeTab({ selection, take }) {
   const scopes = /** @type {const} */ (['everyone', 'program', 'agent']);
   const scopeButtons = scopes.map((scope) => button(text.scope[scope], () => choose(scope)));
   const said = h('p', { class: 'said' });
@@ -20,6 +20,12 @@ export function createTreeTab(selection) {
   search.addEventListener('input', () => write(found, text.tree.found(figure.search(search.value))));
   const figure = createTreeFigure({ label: text.tree.label, select: (id) => selection.selectNode(id) });
   const frame = h('div', { class: 'tree-frame' }, figure.svg);
+  const away = h(
+    'div',
+    { class: 'row' },
+    button(text.tree.openInBench, () => take(true), { title: text.tree.openInBenchLong }),
+    button(text.tree.xml, () => take(false), { title: text.tree.xmlLong }),
+  );
   const reached = h('p', { class: 'said small' });
   const key = h('p', { class: 'status-key', 'aria-hidden': 'true' });
   const programs = h('ol', { class: 'programs' });
@@ -39,6 +45,7 @@ export function createTreeTab(selection) {
     said,
     h('div', { class: 'search' }, search, found),
     frame,
+    away,
     reached,
     key,
     programsTitle,
@@ -59,6 +66,7 @@ export function createTreeTab(selection) {
     lastTop = detail.programs.top[0]?.id ?? '';
     scopes.forEach((name, index) => scopeButtons[index].setAttribute('aria-pressed', String(name === scope)));
     write(scopeButtons[2], selection.agent === null ? text.scope.agent : text.world.robot(selection.agent));
+    away.hidden = scope === 'everyone' || !detail.tree;
     const group = scope !== 'agent';
     const holders = detail.tree?.agents.length ?? 0;
     if (scope === 'everyone') write(said, text.tree.everyone(detail.programs.count, detail.programs.top[0]?.agents ?? 0));

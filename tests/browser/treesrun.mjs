@@ -1,0 +1,245 @@
+import assert from 'node:assert/strict';
+import { SMALL, documentOf, openBench, packed } from './bench.mjs';
+
+const RETRY = documentOf('<RetryUntilSuccessful num_attempts="3"><Push/></RetryUntilSuccessful>', '<Action ID="Push"/>');
+const FAILING = JSON.stringify([{ tick: 0, leaf: 'Push', then: 'FAILURE' }]);
+
+/** @type {import('./browser.mjs').Case[]} */
+export const cases = [
+  [
+    'tree_steps_forward_and_back_plays_and_is_scrubbed',
+    async (open) => {
+      const { page, at, step, seek, inState, until } = await openBench(open, `#/trees?xml=${packed(SMALL)}`);
+      const start = await at(0);
+      await step();
+      const first = await at(1);
+      assert.notEqual(first, start);
+      await step(2);
+      await at(3);
+      await page.locator('#trees [data-action=back]').click();
+      await at(2);
+      assert.equal(await page.locator('#trees-scrub').getAttribute('max'), '3');
+      assert.equal(await seek(1), first);
+      await page.locator('#trees-speed').fill('100');
+      await page.locator('#trees .play').click();
+      await inState('running');
+      await until(() => Number(document.querySelector('#trees-tick')?.textContent) > 20);
+      await page.keyboard.press(' ');
+      await inState('paused');
+      assert.equal(await seek(1), first);
+      await page.locator('#trees [data-action=restart]').click();
+      assert.equal(await at(0), start);
+      assert.equal(await page.locator('#trees-scrub').getAttribute('max'), '0');
+    },
+  ],
+  [
+    'leaf_is_scripted_by_pressing_its_answer',
+    async (open) => {
+      const { page, at, step, node, returned, tab, until } = await openBench(open, `#/trees?xml=${packed(SMALL)}`);
+      await at(0);
+      await node('Near').locator('.bench-answer').click();
+      await tab('script');
+      await page.getByText('Near → FAILURE').waitFor();
+      await step();
+      await returned('Near', 'FAILURE');
+      await at(1);
+      await node('Near').locator('.bench-answer').click();
+      await page.getByText('Near → RUNNING').waitFor();
+      await step();
+      await returned('Near', 'RUNNING');
+      await at(2);
+      for (const _ of [1, 2]) await node('Near').locator('.bench-answer').click();
+      await until(() => document.querySelectorAll('.events tbody tr').length === 3);
+      await page.locator('.events tbody tr').nth(2).getByRole('button', { name: /Remove/ }).click();
+      await until(() => document.querySelectorAll('.events tbody tr').length === 2);
+      await step();
+      await returned('Near', 'RUNNING');
+    },
+  ],
+  [
+    'leaf_is_scripted_by_keys_and_an_answer_in_force_is_no_event',
+    async (open) => {
+      const { page, at, node, tab, until } = await openBench(open, `#/trees?xml=${packed(SMALL)}`);
+      await at(0);
+      await tab('script');
+      await node('grasp').focus();
+      for (const [key, status] of [['f', 'FAILURE'], ['r', 'RUNNING'], ['k', 'SKIPPED']]) {
+        await page.keyboard.press(key);
+        await page.getByText(`grasp → ${status}`).waitFor();
+        assert.equal(await page.locator('.events tbody tr').count(), 1);
+      }
+      await page.keyboard.press('s');
+      await until(() => document.querySelector('.events tbody')?.children.length === 0);
+      assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('role')), 'treeitem');
+      await page.keyboard.press('.');
+      await at(1);
+      await page.keyboard.press(',');
+      await at(0);
+    },
+  ],
+  [
+    'leaf_answers_after_ticks_running_and_writes_its_outputs',
+    async (open) => {
+      const xml = documentOf('<Sequence><Look found="{target}"/><Grasp/></Sequence>', '<Action ID="Look"><output_port name="found"/></Action><Action ID="Grasp"/>');
+      const { page, at, step, select, selected, tab, root } = await openBench(open, `#/trees?xml=${packed(xml)}`);
+      await at(0);
+      await select('Look');
+      await page.locator('#trees-running').fill('2');
+      await page.locator('#trees-running').press('Enter');
+      await page.getByLabel('writes to found').fill('cup');
+      await page.getByLabel('writes to found').press('Enter');
+      await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).waitFor();
+      await step(2);
+      await at(2);
+      assert.match((await root()) ?? '', /RUNNING/);
+      await page.getByText('2 ticks RUNNING so far').waitFor();
+      await step();
+      await at(3);
+      assert.match((await root()) ?? '', /SUCCESS/);
+      await tab('board');
+      const row = page.locator('[data-entry=target]');
+      assert.equal(await row.locator('input').inputValue(), 'cup');
+      assert.match((await row.textContent()) ?? '', /text.*Look.*tick 3/);
+      await row.getByRole('button', { name: 'Look' }).click();
+      await selected('Look');
+    },
+  ],
+  [
+    'blackboard_is_written_by_hand',
+    async (open) => {
+      const xml = documentOf('<Sequence><ScriptCondition code="charge &gt; 20"/><Grasp/></Sequence>', '<Action ID="Grasp"/>');
+      const { page, at, step, tab, root, until } = await openBench(open, `#/trees?xml=${packed(xml)}`);
+      await at(0);
+      await tab('board');
+      await page.getByLabel('Name', { exact: true }).fill('charge');
+      await page.getByLabel('Value', { exact: true }).fill('50');
+      await page.getByRole('button', { name: 'Write' }).click();
+      await page.locator('[data-entry=charge]').waitFor();
+      await step();
+      await at(1);
+      assert.match((await root()) ?? '', /SUCCESS/);
+      await page.getByLabel('Value of charge').fill('10');
+      await page.getByLabel('Value of charge').press('Enter');
+      await until(() => document.querySelector('[data-entry=charge]')?.textContent?.includes('by hand'));
+      await step();
+      await at(2);
+      assert.match((await root()) ?? '', /FAILURE/);
+      await page.getByLabel('Name', { exact: true }).fill('@everywhere');
+      await page.getByLabel('Name', { exact: true }).press('Enter');
+      await page.locator('[data-entry="@everywhere"]').waitFor();
+      await tab('script');
+      await page.getByText('charge := 10').waitFor();
+    },
+  ],
+  [
+    'log_tells_returns_in_order_halts_and_errors',
+    async (open) => {
+      const xml = documentOf('<ReactiveFallback><Near/><Walk/></ReactiveFallback>', '<Condition ID="Near"/><Action ID="Walk"/>');
+      const script = JSON.stringify([{ tick: 0, leaf: 'Near', then: 'FAILURE' }, { tick: 0, leaf: 'Walk', then: 'RUNNING' }, { tick: 1, leaf: 'Near', then: 'SUCCESS' }]);
+      const { page, at, step, tab, type, problems } = await openBench(open, `#/trees?xml=${packed(xml)}&script=${packed(script)}`);
+      await at(0);
+      await tab('log');
+      await page.getByText('No tick yet.').waitFor();
+      await step();
+      await at(1);
+      assert.deepEqual(await page.locator('#trees-trace li').allTextContents(), ['Near✗FAILURE', 'Walk▸RUNNING', 'ReactiveFallback▸RUNNING']);
+      await step();
+      await at(2);
+      assert.deepEqual(await page.locator('#trees-trace li').allTextContents(), ['Near✓SUCCESS', 'ReactiveFallback✓SUCCESS']);
+      assert.deepEqual(await page.locator('#trees-halted li').allTextContents(), ['Walk■HALTED']);
+      await tab('script');
+      await page.getByRole('button', { name: 'Halt the tree now' }).click();
+      await page.getByText('the whole tree is halted').waitFor();
+      await type(documentOf('<ScriptCondition name="ask" code="nothing == 1"/>'));
+      await problems('No problems');
+      await page.locator('.tick-fault').filter({ hasText: /Tick 2 ended with an error in ask: .*nothing/ }).waitFor();
+      await tab('log');
+      await page.locator('.tick-error').filter({ hasText: /ask.*nothing/ }).waitFor();
+    },
+  ],
+  [
+    'a_tick_is_one_pass_or_as_many_as_it_takes',
+    async (open) => {
+      const { page, at, step, root, tab, until } = await openBench(open, `#/trees?xml=${packed(RETRY)}&script=${packed(FAILING)}`);
+      await at(0);
+      await step();
+      await at(1);
+      assert.match((await root()) ?? '', /FAILURE/);
+      await tab('log');
+      await page.getByText('3 passes from the root').waitFor();
+      await page.locator('#trees-mode').selectOption('exactly_once');
+      await until(() => document.querySelector('#trees-root')?.textContent?.includes('RUNNING'));
+      await page.getByText('a retry of three attempts is three ticks').waitFor();
+      await step(2);
+      await at(3);
+      assert.match((await root()) ?? '', /FAILURE/);
+      await page.locator('#trees-ms').fill('40');
+      await page.locator('#trees-ms').press('Enter');
+      await page.getByText('120 ms of simulated time').waitFor();
+      await page.locator('#trees-ms').fill('-1');
+      await page.locator('#trees-ms').press('Enter');
+      await page.getByText("found '-1', expected a whole number from 0 to 3600000").waitFor();
+    },
+  ],
+  [
+    'breakpoint_pauses_selects_its_node_and_says_so',
+    async (open) => {
+      const { page, at, select, inState, notice } = await openBench(open, `#/trees?xml=${packed(SMALL)}&script=${packed(JSON.stringify([{ tick: 4, leaf: 'Near', then: 'FAILURE' }]))}`);
+      await at(0);
+      await select('Near');
+      await page.getByLabel('returns FAILURE').check();
+      await select('Both');
+      await page.locator('#trees-speed').fill('100');
+      await page.locator('#trees .play').click();
+      await notice(/Paused at tick 5: Near returned FAILURE/);
+      await inState('paused');
+      await at(5);
+      assert.equal(await page.locator('#panel-node h2').textContent(), 'Near');
+      assert.match((await page.locator('#live').textContent()) ?? '', /tick 5/);
+      await page.getByLabel('returns FAILURE').uncheck();
+      await page.locator('#trees-complete').check();
+      await page.locator('#trees .play').click();
+      await notice(/Paused at tick 6: Both returned FAILURE/);
+      await at(6);
+    },
+  ],
+  [
+    'kinds_are_compared_side_by_side_in_lockstep',
+    async (open) => {
+      const { page, at, step } = await openBench(open);
+      await at(2);
+      const kinds = page.locator('.compare-panel h3');
+      assert.deepEqual(await kinds.allTextContents(), ['Sequence', 'ReactiveSequence', 'SequenceWithMemory']);
+      await page.locator('.compare-sentence').filter({ hasText: 'They differ first in tick 2: ReactiveSequence' }).waitFor();
+      await step();
+      await at(3);
+      await page.locator('.compare-panel').filter({ hasText: 'Leaves in tick 3' }).nth(2).waitFor();
+      await page.locator('.compare-switch').click();
+      await page.locator('.compare').waitFor({ state: 'hidden' });
+      await page.locator('.trees-stage > .bench').waitFor();
+      await page.locator('.compare-switch').click();
+      await kinds.nth(2).waitFor();
+    },
+  ],
+  [
+    'comparison_needs_a_sequence_or_fallback',
+    async (open) => {
+      const { page, at } = await openBench(open, `#/trees?xml=${packed(documentOf('<AlwaysSuccess/>'))}`);
+      await at(0);
+      assert.ok(await page.locator('.compare-switch').isDisabled());
+    },
+  ],
+  [
+    'broken_tree_engine_is_replaced_and_taken_to_its_tick',
+    async (open) => {
+      const { page, seek, inState, at } = await openBench(open, `#/trees?preset=retry`);
+      const before = await seek(3);
+      await page.workers()[0].evaluate(() => self.postMessage({ id: 0, type: 'error', fatal: true, message: 'panicked at a test' }));
+      await inState('error');
+      await page.locator('#trees .fault').filter({ hasText: 'panicked at a test' }).waitFor();
+      await page.getByRole('button', { name: 'Reload at tick 3' }).click();
+      assert.equal(await at(3), before);
+      assert.equal(await page.locator('#trees .fault').isVisible(), false);
+    },
+  ],
+];

@@ -1,0 +1,178 @@
+import { createEngine } from '../engine.js';
+import { createRun } from '../run.js';
+import { createSelection } from '../selection.js';
+import { createSession, messageOf } from '../session.js';
+import { createState } from '../state.js';
+import { find } from '../ui/dom.js';
+import { createNotices } from '../ui/notices.js';
+import { onStorageBlocked } from '../ui/storage.js';
+import { text } from '../ui/strings.en.js';
+import { createControls } from '../views/controls.js';
+import { createFault } from '../views/fault.js';
+import { createFoot } from '../views/foot.js';
+import { createInspector } from '../views/inspector.js';
+import { createLegend } from '../views/legend.js';
+import { createTransport } from '../views/transport.js';
+import { createWorldView } from '../views/world.js';
+
+/** @import { Address, Tab } from '../router.js' */
+/** @import { Preset, Session } from '../session.js' */
+/** @import { ThemeSwitch } from '../ui/theme.js' */
+
+const OPENING_PRESET = 'foraging';
+
+/**
+ * The tab Forage: the swarm, its world and its inspector.
+ *
+ * @param {{ address: Address, built: () => void, live: HTMLElement, themes: ThemeSwitch, openTree: (xml: string, title: string) => Promise<void> }} parts
+ *   `openTree` shows a tree in the workbench
+ * @returns {Tab}
+ */
+export function createForage({ address, built, live, themes, openTree }) {
+  const pane = find('#world');
+  const transportPane = find('#transport');
+  const state = createState(find('#forage'));
+  const notices = createNotices(pane, live);
+  const fault = createFault(pane, notices.say);
+  const selection = createSelection();
+  const engine = createEngine(broke, () => new Worker(new URL('../worker.js', import.meta.url), { type: 'module' }));
+  const run = createRun(engine, state);
+  /** @type {Record<string, () => void>} */
+  const actions = {};
+  /** @type {Session | null} */
+  let session = null;
+  /** @type {Promise<void> | null} */
+  let started = null;
+
+  pane.setAttribute('aria-label', text.world.region);
+  onStorageBlocked(() => notices.say(text.notSaved));
+
+  /** @param {string} hash */
+  async function start(hash) {
+    if (typeof WebAssembly !== 'object') {
+      broke(text.fault.noWasm);
+      return;
+    }
+    try {
+      engine.start();
+      const hello = await engine.request('hello');
+      session = createSession({ engine, run, state, address, schema: hello.schema, version: hello.version, presets: readPresets(), say: notices.say });
+      build(session);
+      const mayMove = await session.open(hash);
+      if (mayMove && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
+    } catch (error) {
+      if (state.name !== 'error') broke(messageOf(error)); // an engine that broke has said so itself
+    }
+  }
+
+  /** Puts the tab together. @param {Session} ready */
+  function build(ready) {
+    const { theme } = themes;
+    const world = createWorldView({ pane, run, state, selection, theme, drawn: () => foot.drew() });
+    createLegend({ pane, run, state, selection, world });
+    createControls({ pane: find('#controls'), engine, run, session: ready });
+    const inspector = createInspector({
+      pane: find('#inspector'),
+      engine,
+      run,
+      state,
+      selection,
+      theme,
+      onTheme: themes.on,
+      ringed: world.showRinged,
+      openTree,
+      say: notices.say,
+    });
+    const transport = createTransport({ pane: transportPane, run, state, session: ready, say: notices.say });
+    const foot = createFoot({
+      pane: find('#foot'),
+      engine,
+      run,
+      state,
+      session: ready,
+      world: () => world,
+      theme,
+      treeSvg: inspector.treeSvg,
+      say: notices.say,
+    });
+    themes.on(world.invalidate);
+    Object.assign(actions, {
+      toggle: run.toggle,
+      forward: () => void run.step(1),
+      back: () => void run.step(-1),
+      'far-forward': () => void run.step(100),
+      'far-back': () => void run.step(-100),
+      restart: () => void ready.restart(),
+      'new-seed': transport.newSeed,
+      faster: transport.faster,
+      slower: transport.slower,
+      follow: selection.toggleFollow,
+      clear: () => (inspector.close(), selection.clear()),
+    });
+    built();
+
+    run.on('settled', () => void ready.writeAddress());
+    run.on('scenario', () => void ready.writeAddress());
+    state.on((name, reason) => {
+      if (name === 'running') notices.announce(text.said.running);
+      if (name === 'paused') notices.announce(text.said.paused(run.tick));
+      if (name === 'finished') notices.announce(text.said.finished(reason, run.tick));
+    });
+  }
+
+  /** The engine failed: its worker is ended; a new one takes the scenario to the tick it had reached. @param {string} message */
+  function broke(message) {
+    const { tick, scenario } = run;
+    const ready = session;
+    state.to('error', message);
+    run.abandon();
+    const report = [message, `${text.title} ${ready?.version ?? ''}`, location.href, `tick ${tick}`, navigator.userAgent].join('\n');
+    if (!ready || !run.layout) {
+      fault.show(text.fault.start(message), { kept: text.fault.commandLine, report, offer: text.fault.retry, press: () => location.reload() });
+      return;
+    }
+    fault.show(text.fault.broken(message), {
+      kept: text.fault.kept,
+      report,
+      offer: text.fault.reload(tick),
+      press: async () => {
+        fault.hide();
+        engine.start();
+        try {
+          await run.load(scenario);
+          await run.seek(tick);
+        } catch (error) {
+          if (state.name !== 'error') broke(messageOf(error));
+        }
+      },
+    });
+  }
+
+  return {
+    state,
+    actions,
+    regions: [pane, transportPane],
+    pause: run.pause,
+    async open(hash) {
+      if (!started) {
+        started = start(hash);
+        return started;
+      }
+      await started;
+      notices.clear();
+      await session?.open(hash);
+    },
+  };
+}
+
+/** Presets are files, read alike by the page, the command line and the tests. @returns {Preset[]} the opening one first */
+function readPresets() {
+  const files = /** @type {Record<string, string>} */ (import.meta.glob('/scenarios/*.json', { query: '?raw', import: 'default', eager: true }));
+  return Object.entries(files)
+    .map(([path, json]) => {
+      const name = path.replace(/^.*\/|\.json$/g, '');
+      const { title, about } = JSON.parse(json);
+      return { name, title: String(title ?? name), about: String(about ?? ''), json };
+    })
+    .sort((a, b) => Number(b.name === OPENING_PRESET) - Number(a.name === OPENING_PRESET) || a.name.localeCompare(b.name));
+}

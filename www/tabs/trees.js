@@ -1,0 +1,110 @@
+import '../style/trees.css';
+import { createEngine } from '../engine.js';
+import { messageOf } from '../session.js';
+import { createState } from '../state.js';
+import { createTreeRun } from '../trees/run.js';
+import { createWorkbench } from '../trees/workbench.js';
+import { createNotices } from '../ui/notices.js';
+import { text } from '../ui/strings.en.js';
+import { createFault } from '../views/fault.js';
+import { createBenchFrame } from '../views/trees/frame.js';
+
+/** @import { Address, Tab } from '../router.js' */
+/** @import { Workbench } from '../trees/workbench.js' */
+
+const FIELDS = 'input:not([type=range]):not([type=checkbox]):not([type=radio]), textarea';
+
+/**
+ * The tab Trees: a workbench for behaviour trees.
+ *
+ * @param {{ element: HTMLElement, address: Address, built: () => void, live: HTMLElement }} parts
+ * @returns {Tab & { openTree: (xml: string, title: string) => void }}
+ */
+export function createTrees({ element, address, built, live }) {
+  const frame = createBenchFrame(element);
+  const state = createState(element);
+  const notices = createNotices(frame.drawing, live);
+  const fault = createFault(frame.drawing, notices.say);
+  const engine = createEngine(broke, () => new Worker(new URL('../trees/worker.js', import.meta.url), { type: 'module' }));
+  const run = createTreeRun(engine, state);
+  /** @type {Record<string, () => void>} */
+  const actions = {};
+  const regions = [frame.drawing, frame.transport];
+  /** @type {Workbench | null} */
+  let workbench = null;
+  /** @type {Promise<void> | null} */
+  let started = null;
+
+  /** @param {string} hash */
+  async function start(hash) {
+    if (typeof WebAssembly !== 'object') {
+      broke(text.fault.noWasm);
+      return;
+    }
+    try {
+      engine.start();
+      const { version, models } = await engine.request('hello');
+      workbench = createWorkbench({ engine, run, state, address, frame, version, models, say: notices.say, announce: notices.announce });
+      Object.assign(actions, workbench.actions);
+      regions.push(workbench.afterText);
+      built();
+      await workbench.session.openLink(hash);
+    } catch (error) {
+      if (state.name !== 'error') broke(messageOf(error)); // an engine that broke has said so itself
+    }
+  }
+
+  /** The engine failed: its worker is ended; a new one takes the setup to the tick it had reached. @param {string} message */
+  function broke(message) {
+    const { tick, length } = run;
+    const ready = workbench;
+    state.to('error', message);
+    run.abandon();
+    ready?.bench.abandon();
+    const report = [message, `${text.title} ${ready?.session.version ?? ''}`, location.href, `tick ${tick}`, navigator.userAgent].join('\n');
+    if (!ready || !run.tree) {
+      fault.show(text.fault.start(message), { kept: text.fault.commandLine, report, offer: text.fault.retry, press: () => location.reload() });
+      return;
+    }
+    fault.show(text.fault.broken(message), {
+      kept: text.fault.kept,
+      report,
+      offer: text.fault.reload(tick),
+      press: async () => {
+        fault.hide();
+        state.to('loading');
+        engine.start();
+        await ready.session.reload({ length, at: tick });
+      },
+    });
+  }
+
+  document.addEventListener('keydown', (event) => {
+    const undoes = /^z$/i.test(event.key) && !event.shiftKey;
+    const redoes = /^y$/i.test(event.key) || (/^z$/i.test(event.key) && event.shiftKey);
+    if (element.hidden || event.defaultPrevented || event.altKey || !(event.ctrlKey || event.metaKey) || !(undoes || redoes)) return;
+    if (!workbench || document.activeElement?.matches(FIELDS)) return; // a field takes back what was typed in it
+    event.preventDefault();
+    if (undoes) workbench.session.undo();
+    else workbench.session.redo();
+  });
+
+  return {
+    state,
+    actions,
+    regions,
+    pause: run.pause,
+    async open(hash) {
+      if (!started) {
+        started = start(hash);
+        return started;
+      }
+      await started;
+      notices.clear();
+      await workbench?.session.openLink(hash);
+    },
+    openTree: (xml, title) => void workbench?.session.openText(xml, title),
+  };
+}
+
+/** @typedef {ReturnType<typeof createTrees>} TreesTab */

@@ -1,0 +1,99 @@
+import { button, h, write } from '../../ui/dom.js';
+import { copy, save } from '../../ui/share.js';
+import { text } from '../../ui/strings.en.js';
+import { benchText } from '../../ui/strings.trees.en.js';
+import { LONGEST_LINK } from '../../pack.js';
+
+/** @import { TreeRun } from '../../trees/run.js' */
+/** @import { TreeSession } from '../../trees/session.js' */
+
+const PICTURE_SCALE = 2;
+
+/**
+ * The footer of the workbench: version, fingerprint, and everything that can be taken away.
+ *
+ * @param {{ pane: HTMLElement, run: TreeRun, session: TreeSession, format: (xml: string) => Promise<string>,
+ *   picture: () => { svg: string, width: number, height: number } | null, title: () => string,
+ *   say: (message: string, kind?: 'note' | 'problem', offers?: { label: string, press: () => void }[]) => void }} parts
+ *   `format` gives canonical XML or rejects with the first fault, `picture` is null while there is none
+ */
+export function createBenchFoot({ pane, run, session, format, picture, title, say }) {
+  const fingerprint = h('output', { class: 'fingerprint', id: 'trees-fingerprint', title: text.foot.fingerprint, 'aria-label': text.foot.fingerprint });
+  pane.append(
+    h('p', { class: 'facts' }, h('span', {}, session.version), fingerprint),
+    h(
+      'div',
+      { class: 'take', role: 'group', 'aria-label': benchText.foot.take },
+      button(text.foot.copyLink, () => void copyLink()),
+      button('XML', () => void xml(), { title: benchText.foot.xml }),
+      button('SVG', svg, { title: benchText.foot.svg }),
+      button('PNG', () => void png(), { title: benchText.foot.png }),
+      button('JSON', json, { title: benchText.foot.json }),
+      button(text.foot.cite, () => void cite(), { title: benchText.foot.citeLong }),
+    ),
+  );
+
+  const name = () => session.entry()?.name ?? 'tree';
+  const stem = () => `${name()}-tick${run.tick}`;
+  const address = async () => new URL(await session.link(), location.href).href;
+
+  async function copyLink() {
+    run.pause();
+    const link = await address();
+    if (link.length > LONGEST_LINK) say(benchText.foot.tooLong(link.length), 'problem', [{ label: text.foot.saveJson, press: json }]);
+    else await give(link, benchText.foot.copied);
+  }
+
+  async function cite() {
+    run.pause();
+    await give(benchText.foot.citation(session.version, await address(), title(), run.tick, run.moment?.fingerprint ?? ''), text.foot.cited);
+  }
+
+  /** @param {string} string @param {string} done */
+  async function give(string, done) {
+    if (await copy(string)) say(done);
+    else say(text.foot.notCopied(string), 'problem');
+  }
+
+  async function xml() {
+    try {
+      save(`${name()}.xml`, new Blob([await format(session.setup().xml)], { type: 'application/xml' }));
+    } catch (error) {
+      say(benchText.foot.notFormatted(error instanceof Error ? error.message : String(error)), 'problem');
+    }
+  }
+
+  function svg() {
+    const drawing = picture();
+    if (drawing) save(`${stem()}.svg`, new Blob([drawing.svg], { type: 'image/svg+xml' }));
+  }
+
+  async function png() {
+    const drawing = picture();
+    if (!drawing) return;
+    const address = URL.createObjectURL(new Blob([drawing.svg], { type: 'image/svg+xml' }));
+    try {
+      const image = h('img', { width: drawing.width, height: drawing.height, src: address });
+      await image.decode();
+      const canvas = h('canvas', { width: drawing.width * PICTURE_SCALE, height: drawing.height * PICTURE_SCALE });
+      const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+      context.drawImage(image, 0, 0, canvas.width, canvas.height);
+      canvas.toBlob((blob) => (blob ? save(`${stem()}.png`, blob) : say(benchText.foot.tooWide, 'problem')));
+    } finally {
+      URL.revokeObjectURL(address);
+    }
+  }
+
+  function json() {
+    const { xml: written, script, mode, ms } = session.setup();
+    const setup = { version: session.version, xml: written, script, mode, ms, length: run.length, at: run.tick };
+    save(`${stem()}.json`, new Blob([JSON.stringify(setup, null, 2)], { type: 'application/json' }));
+  }
+
+  return {
+    show() {
+      write(fingerprint, run.moment?.fingerprint ?? '');
+      fingerprint.dataset.tick = String(run.tick);
+    },
+  };
+}

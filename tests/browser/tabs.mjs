@@ -67,6 +67,7 @@ export const cases = [
         await page.keyboard.press('?');
         const rows = await page.locator('.keys-dialog tbody td').allTextContents();
         await page.keyboard.press('Escape');
+        await page.locator('.keys-dialog').waitFor({ state: 'hidden' }); // the browser closes it a moment later
         return rows.join('\n');
       };
       assert.match(await keys(), /restart with a new seed/);

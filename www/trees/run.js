@@ -126,6 +126,7 @@ export function createTreeRun(engine, state) {
   async function openWanted(setup) {
     try {
       /** @type {Opened} */
+      performance.mark('tree asked');
       const opened = (await engine.request('open', { bench: BENCH, setup })).opened;
       if (wantedSetup !== setup) return; // a later text waits
       if (opened.tree) {

@@ -170,6 +170,7 @@ export function createWorkbench({ engine, run, state, address, frame, version, m
     }
     if (editor.focused()) pointed(editor.pointedAt());
     show();
+    performance.measure('tree shown', 'tree asked'); // from the request to everything drawn
   });
   session.on('change', () => {
     if (session.problems !== marked) {

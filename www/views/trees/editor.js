@@ -1,5 +1,5 @@
 import { autocompletion, closeCompletion, completionKeymap, completionStatus } from '@codemirror/autocomplete';
-import { defaultKeymap, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { defaultKeymap, historyKeymap, indentWithTab, redo } from '@codemirror/commands';
 import { bracketMatching, codeFolding, foldGutter, foldKeymap, indentOnInput, indentUnit } from '@codemirror/language';
 import { autoCloseTags, xmlLanguage } from '@codemirror/lang-xml';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
@@ -113,6 +113,7 @@ export function createEditor({ state, edited, pointed, leave }) {
         ...searchKeymap,
         ...lintKeymap,
         ...historyKeymap,
+        { key: 'Mod-Shift-z', run: redo, preventDefault: true }, // on every system
         ...foldKeymap,
         ...defaultKeymap,
         indentWithTab,

@@ -126,26 +126,16 @@ export function createForage({ address, built, live, themes, openTree }) {
     const ready = session;
     state.to('error', message);
     run.abandon();
-    const report = [message, `${text.title} ${ready?.version ?? ''}`, location.href, `tick ${tick}`, navigator.userAgent].join('\n');
-    if (!ready || !run.layout) {
-      fault.show(text.fault.start(message), { kept: text.fault.commandLine, report, offer: text.fault.retry, press: () => location.reload() });
-      return;
-    }
-    fault.show(text.fault.broken(message), {
-      kept: text.fault.kept,
-      report,
-      offer: text.fault.reload(tick),
-      press: async () => {
-        fault.hide();
-        engine.start();
-        try {
-          await run.load(scenario);
-          await run.seek(tick);
-        } catch (error) {
-          if (state.name !== 'error') broke(messageOf(error));
-        }
-      },
-    });
+    const again = async () => {
+      engine.start();
+      try {
+        await run.load(scenario);
+        await run.seek(tick);
+      } catch (error) {
+        if (state.name !== 'error') broke(messageOf(error));
+      }
+    };
+    fault.broke(message, { version: ready?.version ?? '', tick, again: ready && run.layout ? again : null });
   }
 
   return {

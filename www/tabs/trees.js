@@ -61,22 +61,12 @@ export function createTrees({ element, address, built, live }) {
     state.to('error', message);
     run.abandon();
     ready?.bench.abandon();
-    const report = [message, `${text.title} ${ready?.session.version ?? ''}`, location.href, `tick ${tick}`, navigator.userAgent].join('\n');
-    if (!ready || !run.tree) {
-      fault.show(text.fault.start(message), { kept: text.fault.commandLine, report, offer: text.fault.retry, press: () => location.reload() });
-      return;
-    }
-    fault.show(text.fault.broken(message), {
-      kept: text.fault.kept,
-      report,
-      offer: text.fault.reload(tick),
-      press: async () => {
-        fault.hide();
-        state.to('loading');
-        engine.start();
-        await ready.session.reload({ length, at: tick });
-      },
-    });
+    const again = async () => {
+      state.to('loading');
+      engine.start();
+      await ready?.session.reload({ length, at: tick });
+    };
+    fault.broke(message, { version: ready?.session.version ?? '', tick, again: ready && run.tree ? again : null });
   }
 
   document.addEventListener('keydown', (event) => {

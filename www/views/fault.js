@@ -14,18 +14,29 @@ export function createFault(pane, say) {
 
   return {
     /**
+     * The engine broke.
+     *
      * @param {string} message
-     * @param {{ kept: string, report: string, offer: string, press: () => void }} way out of it
+     * @param {{ version: string, tick: number, again: (() => void) | null }} way `again` takes a new engine to the tick that
+     *   was reached; null when nothing was there yet
      */
-    show(message, way) {
-      box.replaceChildren(h('p', { class: 'message' }, message));
-      box.hidden = false;
-      const report = async () => {
-        if (await copy(way.report)) say(text.fault.reported);
-        else say(text.foot.notCopied(way.report));
+    broke(message, { version, tick, again }) {
+      const report = [message, `${text.title} ${version}`, location.href, `tick ${tick}`, navigator.userAgent].join('\n');
+      const copyReport = async () => {
+        if (await copy(report)) say(text.fault.reported);
+        else say(text.foot.notCopied(report));
       };
-      box.append(h('p', {}, way.kept), h('div', { class: 'row' }, button(way.offer, way.press, { class: 'primary' }), button(text.fault.report, () => void report())));
+      const reload = () => {
+        box.hidden = true;
+        again?.();
+      };
+      const way = again ? button(text.fault.reload(tick), reload, { class: 'primary' }) : button(text.fault.retry, () => location.reload(), { class: 'primary' });
+      box.replaceChildren(
+        h('p', { class: 'message' }, again ? text.fault.broken(message) : text.fault.start(message)),
+        h('p', {}, again ? text.fault.kept : text.fault.commandLine),
+        h('div', { class: 'row' }, way, button(text.fault.report, () => void copyReport())),
+      );
+      box.hidden = false;
     },
-    hide: () => void (box.hidden = true),
   };
 }

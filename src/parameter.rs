@@ -61,6 +61,8 @@ pub enum Kind {
         /// Whether a slider should be logarithmic.
         log: bool,
     },
+    /// On or off.
+    Bool,
     /// One of several words: value and label.
     Choice(&'static [(&'static str, &'static str)]),
     /// Text of at most so many bytes.
@@ -90,6 +92,10 @@ impl Kind {
             Self::Float { min, hard_max, .. } => match value.as_f64() {
                 Some(real) if (*min..=*hard_max).contains(&real) => Ok(Value::from(real)),
                 _ => fault(format!("a number from {} to {}{unit}", number(*min), number(*hard_max))),
+            },
+            Self::Bool => match value {
+                Value::Bool(_) => Ok(value.clone()),
+                _ => fault("true or false".to_owned()),
             },
             Self::Choice(choices) => match value.as_str() {
                 Some(word) if choices.iter().any(|choice| choice.0 == word) => Ok(value.clone()),
@@ -154,6 +160,7 @@ impl Parameter {
                 "float",
                 serde_json::json!({"min": min, "max": max, "hard_max": hard_max, "step": step, "scale": scale(*log)}),
             ),
+            Kind::Bool => ("bool", serde_json::json!({})),
             Kind::Choice(choices) => {
                 let choices: Vec<Value> =
                     choices.iter().map(|(value, label)| serde_json::json!({"value": value, "label": label})).collect();

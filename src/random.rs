@@ -40,6 +40,8 @@ pub enum Purpose {
     Walk = 4,
     /// Genome exchange, selection, crossover and mutation of one agent.
     Evolution = 5,
+    /// Where obstacles and traps stand.
+    Terrain = 6,
 }
 
 /// The stream of one purpose, and of one agent where agents draw (`index` 0 otherwise).

@@ -5,25 +5,19 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use swarm_playground::evolution::{Genome, Limits};
 use swarm_playground::geese::{
-    Compiler, Detail, Finished, GRAMMAR, Layout, Params, Query, SwapRule, World, fill_frame,
+    Compiler, Detail, Finished, Layout, Params, Query, SwapRule, Task, World, fill_frame, grammar_text,
 };
 use swarm_playground::random::{Purpose, Seed, stream};
 
-/// The nominal grammar of GEESE-BT for foraging, after the authors' grammar.
-const NOMINAL: &str = "\
-<S> ::= <cf>
-<cf> ::= <sequence> | <selector>
-<sequence> ::= Seq[<execution>] | Seq[<cf> <cf>] | Seq[<sequence> <cf>]
-<selector> ::= Sel[<execution>] | Sel[<cf> <cf>] | Sel[<selector> <cf>]
-<execution> ::= <conditions> Act(<action>)
-<conditions> ::= Cond(<condition>) <conditions> | Cond(<condition>)
-<condition> ::= NeighbourObjects | IsDropable <s> | NeighbourObjects <o> | not NeighbourObjects <o>
-  | IsVisitedBefore <s> | not IsVisitedBefore <s> | IsCarrying <d> | not IsCarrying <d>
-<action> ::= MoveTowards <s> | Explore | CompositeSingleCarry <d> | CompositeDrop <d> | MoveAway <s>
-<o> ::= <s> | <d>
-<s> ::= Hub | Sites
-<d> ::= Food
-";
+/// The built-in nominal grammar for foraging.
+fn nominal() -> String {
+    grammar_text("nominal", Task::Forage).into_owned()
+}
+
+/// The built-in PPA grammar for foraging.
+fn ppa() -> String {
+    grammar_text("ppa", Task::Forage).into_owned()
+}
 
 fn compiler(grammar: &str, max_depth: u32) -> Compiler {
     Compiler::new(grammar, Limits { max_wraps: 0, max_depth }).expect("the grammar is valid")
@@ -35,7 +29,7 @@ fn derive(compiler: &mut Compiler, codons: &[u16]) -> serde_json::Value {
 
 #[test]
 fn worked_example_of_the_nominal_grammar() {
-    let found = derive(&mut compiler(NOMINAL, 10), &[17, 4, 9, 30, 7, 13, 21, 26, 3]);
+    let found = derive(&mut compiler(&nominal(), 10), &[17, 4, 9, 30, 7, 13, 21, 26, 3]);
     assert_eq!(found["phenotype"], "Seq[Cond(not IsVisitedBefore Sites) Act(Explore)]");
     assert_eq!((found["used"].as_u64(), found["depth"].as_u64()), (Some(8), Some(8)));
     // Two distinct names of nine.
@@ -44,7 +38,7 @@ fn worked_example_of_the_nominal_grammar() {
 
 #[test]
 fn worked_example_of_the_ppa_grammar() {
-    let mut compiler10 = compiler(GRAMMAR, 10);
+    let mut compiler10 = compiler(&ppa(), 10);
     let codons = [12, 3, 6, 8, 5, 9, 18, 11, 7, 2, 15, 21, 10, 33];
     let found = derive(&mut compiler10, &codons);
     let expected = "Sel[Sel[Seq[Post(IsCarrying Food)] Seq[Seq[Con(CanMove)] Act(MoveTowards Sites)]]]";
@@ -60,7 +54,7 @@ fn worked_example_of_the_ppa_grammar() {
 
     let deep = [12, 3, 6, 8, 5, 9, 18, 11, 6, 2, 15, 22, 10, 33, 10, 33];
     assert_eq!(derive(&mut compiler10, &deep)["reason"], "depth limit 10 exceeded");
-    let found = derive(&mut compiler(GRAMMAR, 11), &deep);
+    let found = derive(&mut compiler(&ppa(), 11), &deep);
     assert_eq!(found["used"], 16);
     let expected = "Sel[Sel[Seq[Post(IsCarrying Food)] Seq[Seq[Pre(NeighbourObjects Sites)] Act(MoveTowards Sites)]]]";
     assert_eq!(found["phenotype"], expected);
@@ -82,13 +76,14 @@ fn valid_share(grammar: &str, max_depth: u32) -> f64 {
 #[test]
 fn validity_agrees_with_the_exact_probabilities() {
     // Counted exactly from the grammars; five standard errors of 40,000 draws are at most 0.0125.
+    let (nominal, ppa) = (nominal(), ppa());
     for (grammar, depth, exact) in [
-        (GRAMMAR, 10, 0.0723),
-        (GRAMMAR, 11, 0.1397),
-        (GRAMMAR, 12, 0.2024),
-        (NOMINAL, 10, 0.2994),
-        (NOMINAL, 11, 0.3499),
-        (NOMINAL, 12, 0.3856),
+        (&ppa, 10, 0.0723),
+        (&ppa, 11, 0.1397),
+        (&ppa, 12, 0.2024),
+        (&nominal, 10, 0.2994),
+        (&nominal, 11, 0.3499),
+        (&nominal, 12, 0.3856),
     ] {
         let found = valid_share(grammar, depth);
         assert!((found - exact).abs() < 0.0125, "depth {depth}: {found} is not {exact}");
@@ -97,7 +92,7 @@ fn validity_agrees_with_the_exact_probabilities() {
 
 #[test]
 fn at_depth_10_no_program_has_more_than_six_names_and_one_action() {
-    let mut compiler = compiler(GRAMMAR, 10);
+    let mut compiler = compiler(&ppa(), 10);
     assert_eq!(compiler.vocabulary().count(), 11);
     assert!((compiler.greatest_diversity() - 6.0 / 11.0).abs() < 1e-15);
     let mut rng = stream(Seed::new(2).expect("small"), Purpose::Genesis, 0);
@@ -115,8 +110,8 @@ fn at_depth_10_no_program_has_more_than_six_names_and_one_action() {
 }
 
 fn language_error(from: &str, to: &str) -> String {
-    let text = GRAMMAR.replacen(from, to, 1);
-    assert_ne!(text, GRAMMAR, "{from} is in the grammar");
+    let text = ppa().replacen(from, to, 1);
+    assert_ne!(text, ppa(), "{from} is in the grammar");
     Compiler::new(&text, Limits { max_wraps: 0, max_depth: 10 }).expect_err("no language").to_string()
 }
 

@@ -13,6 +13,9 @@ fn preset(name: &str) -> &'static str {
     match name {
         "foraging" => include_str!("../scenarios/foraging.json"),
         "foraging-paper" => include_str!("../scenarios/foraging-paper.json"),
+        "geese-bt" => include_str!("../scenarios/geese-bt.json"),
+        "nest" => include_str!("../scenarios/nest.json"),
+        "obstacles" => include_str!("../scenarios/obstacles.json"),
         other => panic!("no preset {other}"),
     }
 }

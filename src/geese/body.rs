@@ -1,11 +1,16 @@
 //! An agent's body, and what its leaves do to it and to the world.
 
-use super::field::Field;
+use super::field::{Disc, Field};
+use super::grid::squared_distance;
 use super::leaf::{Leaf, Name, Object};
-use super::params::{DropRule, ExploreHeading, IsDropable, MovesPerStep, Params};
+use super::params::{Behaviours, DropRule, ExploreHeading, IsDropable, MovesPerStep, Params};
 use crate::bt::{Host, NodeId, Ports, Status};
 use crate::fingerprint::Fingerprint;
 use crate::random::{Stream, direction, standard_normal};
+use rand::RngExt;
+
+/// The most places of one kind that an agent can remember: a byte of its memory.
+pub const MOST_PLACES: i64 = 8;
 
 /// What an agent is and knows, apart from its program. Its position is in [`Field::agents`].
 #[derive(Clone, Debug)]
@@ -14,8 +19,10 @@ pub struct Body {
     pub heading: [f64; 2],
     /// The item it carries.
     pub load: Option<u32>,
-    /// Whether it has sensed the site before; memory of places is permanent.
-    pub knows_site: bool,
+    /// The places it has sensed before, a bit each: sites, then obstacles, then traps. Memory of places is permanent.
+    known: u32,
+    /// False once it has touched a trap.
+    pub alive: bool,
     /// The action that succeeded last in the last step.
     pub last_action: Option<Leaf>,
     /// The agent's own stream for headings and turns.
@@ -23,19 +30,42 @@ pub struct Body {
 }
 
 impl Body {
-    /// A body without load and without knowledge of the site, heading in a random direction.
+    /// A body without load and without knowledge of any site, heading in a random direction.
     #[must_use]
     pub fn new(mut walk: Stream) -> Self {
-        Self { heading: direction(&mut walk), load: None, knows_site: false, last_action: None, walk }
+        Self { heading: direction(&mut walk), load: None, known: 0, alive: true, last_action: None, walk }
+    }
+
+    /// Whether the agent remembers a place of that kind. Hub and boundary are known from the start (our choice).
+    #[must_use]
+    pub fn knows(&self, place: Object, field: &Field) -> bool {
+        match place {
+            Object::Hub => true,
+            Object::Boundary => field.sink() == Object::Boundary,
+            Object::Sites | Object::Obstacles | Object::Trap => self.known_of(place) != 0,
+            Object::Food | Object::Debris | Object::Nothing => false,
+        }
+    }
+
+    fn known_of(&self, place: Object) -> u32 {
+        self.known >> first_bit(place) & 0xff
     }
 
     /// Feeds heading, load, knowledge and stream.
     pub fn feed(&self, hash: &mut Fingerprint) {
         self.heading.iter().for_each(|&value| hash.f64(value));
         hash.u64(self.load.map_or(0, |item| u64::from(item) + 1));
-        hash.u64(u64::from(self.knows_site));
+        hash.u64(u64::from(self.known) | u64::from(!self.alive) << 32);
         hash.u64(self.last_action.map_or(0, Leaf::number));
         hash.stream(&self.walk);
+    }
+}
+
+fn first_bit(place: Object) -> u32 {
+    match place {
+        Object::Obstacles => 8,
+        Object::Trap => 16,
+        _ => 0,
     }
 }
 
@@ -49,6 +79,8 @@ pub struct Actor<'a> {
     id: u32,
     position: [f64; 2],
     moved: bool,
+    /// Whether the task's item was sensed in this tick: nominal carrying looks at nothing else.
+    perceived: bool,
 }
 
 impl<'a> Actor<'a> {
@@ -56,26 +88,49 @@ impl<'a> Actor<'a> {
     pub fn new(params: &'a Params, field: &'a mut Field, body: &'a mut Body, id: u32) -> Self {
         body.last_action = None;
         let position = field.agents.point(id);
-        Self { params, field, body, id, position, moved: false }
+        Self { params, field, body, id, position, moved: false, perceived: false }
     }
 
-    /// Whether something of the kind is sensed; sensing the site makes it known.
+    /// Whether something of the kind is sensed; a place that is sensed becomes known.
     ///
-    /// Places are sensed from inside their disc, items within the sensing radius (our choice).
+    /// Places are sensed from inside their disc, items within the sensing radius; obstacles and traps, which nobody
+    /// enters, when their rim is within it (our choices).
     fn senses(&mut self, object: Object) -> bool {
         match object {
             Object::Hub => self.field.hub.contains(self.position),
-            Object::Sites => {
-                let inside = self.field.site.contains(self.position);
-                self.body.knows_site |= inside;
-                inside
+            Object::Boundary => self.field.sink() == Object::Boundary && self.field.accepts(self.position),
+            Object::Sites | Object::Obstacles | Object::Trap => {
+                let margin = if object == Object::Sites { 0.0 } else { self.params.sense_radius };
+                let position = self.position;
+                let near = |disc: &Disc| Disc { radius: disc.radius + margin, ..*disc }.contains(position);
+                let found: u32 =
+                    self.places(object).iter().zip(0..).map(|(disc, bit)| u32::from(near(disc)) << bit).sum();
+                self.body.known |= found << first_bit(object);
+                found != 0
             }
-            Object::Food => self.field.nearest_item(self.position, self.params.sense_radius).is_some(),
+            Object::Food | Object::Debris => {
+                let sensed = object == self.field.item()
+                    && self.field.nearest_item(self.position, self.params.sense_radius).is_some();
+                self.perceived |= sensed;
+                sensed
+            }
             // Any place, item or other agent: the argument-free form of the nominal grammar.
             Object::Nothing => {
-                let (hub, site) = (self.senses(Object::Hub), self.senses(Object::Sites));
-                hub || site || self.senses(Object::Food) || self.senses_agent()
+                let mut any = false;
+                for place in Object::PLACES {
+                    any |= self.senses(place);
+                }
+                any || self.senses(self.field.item()) || self.senses_agent()
             }
+        }
+    }
+
+    fn places(&self, kind: Object) -> &[Disc] {
+        match kind {
+            Object::Sites => &self.field.sites,
+            Object::Obstacles => &self.field.obstacles,
+            Object::Trap => &self.field.traps,
+            _ => &[],
         }
     }
 
@@ -85,34 +140,46 @@ impl<'a> Actor<'a> {
         found
     }
 
-    fn is_known(&self, place: Object) -> bool {
-        match place {
-            Object::Hub => true,
-            Object::Sites => self.body.knows_site,
-            Object::Food | Object::Nothing => false,
-        }
-    }
-
     /// Whether the place takes drops. The paper does not say what the condition tests; since an item may be dropped
     /// at any place, it holds everywhere unless the scenario chooses another reading.
     fn is_dropable(&self, place: Object) -> bool {
+        let takes = place == self.field.sink();
         match self.params.is_dropable {
             IsDropable::Always => true,
-            IsDropable::Kind => place == Object::Hub,
-            IsDropable::Standing => place == Object::Hub && self.field.hub.contains(self.position),
+            IsDropable::Kind => takes,
+            IsDropable::Standing => takes && self.field.accepts(self.position),
         }
     }
 
-    /// The unit vector towards the centre of a place: `None` when the place is unknown, the heading when the agent
-    /// stands on it.
-    fn bearing(&self, place: Object) -> Option<[f64; 2]> {
-        if !self.is_known(place) {
+    /// The unit vector towards a place: `None` when none is known, the heading when the agent stands on its centre. Of
+    /// several known ones, one at random. The boundary lies outward from the origin.
+    fn bearing(&mut self, place: Object) -> Option<[f64; 2]> {
+        if !self.body.knows(place, self.field) {
             return None;
         }
-        let centre = if place == Object::Hub { self.field.hub.centre } else { self.field.site.centre };
-        let (dx, dy) = (centre[0] - self.position[0], centre[1] - self.position[1]);
-        let length = (dx * dx + dy * dy).sqrt();
-        Some(if length > 0.0 { [dx / length, dy / length] } else { self.body.heading })
+        let [x, y] = self.position;
+        let way = match place {
+            Object::Boundary => [x, y],
+            Object::Hub => [self.field.hub.centre[0] - x, self.field.hub.centre[1] - y],
+            _ => {
+                let known = self.one_known(place);
+                let centre = self.places(place)[known].centre;
+                [centre[0] - x, centre[1] - y]
+            }
+        };
+        let length = (way[0] * way[0] + way[1] * way[1]).sqrt();
+        Some(if length > 0.0 { way.map(|value| value / length) } else { self.body.heading })
+    }
+
+    /// One of the known places of a kind, of which there is at least one.
+    fn one_known(&mut self, place: Object) -> usize {
+        let mut known = self.body.known_of(place);
+        if known.count_ones() > 1 {
+            for _ in 0..self.body.walk.random_range(0..known.count_ones()) {
+                known &= known - 1;
+            }
+        }
+        known.trailing_zeros() as usize
     }
 
     /// Explore's turn: a new direction (the paper), or a small normal angle (the authors' code).
@@ -131,59 +198,121 @@ impl<'a> Actor<'a> {
         }
     }
 
-    /// One step along the heading. At the edge the agent stays on it and turns round (our choice).
+    /// One step along the heading. At the edge the agent stays on it and turns round (our choice); an obstacle bars
+    /// the way, a trap kills.
     fn advance(&mut self) -> bool {
-        if self.moved && self.params.moves_per_step == MovesPerStep::One {
+        if self.moved && self.params.moves_per_step == MovesPerStep::One || !self.body.alive {
             return false;
         }
         self.moved = true;
         let half = self.field.half;
         let wanted = [0, 1].map(|axis| self.position[axis] + self.body.heading[axis] * self.params.step_length);
         let reached = wanted.map(|value| value.clamp(-half, half));
+        if self.field.obstacles.iter().any(|disc| disc.meets(self.position, reached)) {
+            return false;
+        }
         if wanted.iter().any(|value| value.abs() > half) {
             self.body.heading = self.body.heading.map(|value| -value);
         }
+        let killed = self.field.traps.iter().any(|disc| disc.meets(self.position, reached));
         self.position = reached;
         self.field.agents.put(self.id, reached);
+        if killed {
+            self.die();
+        }
         true
     }
 
-    /// MoveTowards: done when the place is sensed; otherwise turn towards it and move.
+    /// The dead neither tick nor meet anyone, and what they carried lies on the ground (our choices).
+    fn die(&mut self) {
+        self.body.alive = false;
+        self.field.agents.remove(self.id);
+        if let Some(item) = self.body.load.take() {
+            self.field.put_down(item, self.position);
+        }
+    }
+
+    /// The nearest obstacle that the look-ahead meets, else the nearest trap: the order of the behaviour's branches.
+    fn ahead(&self) -> Option<Disc> {
+        let far = [0, 1].map(|axis| self.position[axis] + self.body.heading[axis] * self.params.look_ahead);
+        let rim = |disc: &Disc| squared_distance(disc.centre, self.position).sqrt() - disc.radius;
+        let nearest = |discs: &[Disc]| {
+            let in_sight = discs.iter().filter(|disc| disc.meets(self.position, far));
+            in_sight.min_by(|a, b| rim(a).total_cmp(&rim(b))).copied()
+        };
+        nearest(&self.field.obstacles).or_else(|| nearest(&self.field.traps))
+    }
+
+    /// Bug following: one step parallel to the surface of what is ahead, to the side that needs the smaller turn.
+    ///
+    /// Source: BeTr-GEESE, appendix A, after Lumelsky and Stepanov (1987). The tangent of a disc at its nearest point is
+    /// at right angles to the line to its centre.
+    fn avoid(&mut self, disc: &Disc) -> bool {
+        let away = [self.position[0] - disc.centre[0], self.position[1] - disc.centre[1]];
+        let length = (away[0] * away[0] + away[1] * away[1]).sqrt();
+        if length <= 0.0 {
+            return false;
+        }
+        let left = [-away[1] / length, away[0] / length];
+        let turn = left[0] * self.body.heading[0] + left[1] * self.body.heading[1];
+        self.body.heading = if turn >= 0.0 { left } else { left.map(|value| -value) };
+        self.advance()
+    }
+
+    /// The last part of every moving behaviour: a plain move, or in PPA form one that keeps clear of what is ahead.
+    ///
+    /// - `ready`: whether the heading was found; PPA forms keep clear of what is ahead even without.
+    fn go(&mut self, ready: bool) -> bool {
+        let ahead = if self.params.behaviours == Behaviours::Ppa { self.ahead() } else { None };
+        match ahead {
+            Some(disc) => self.avoid(&disc),
+            None => ready && self.advance(),
+        }
+    }
+
+    /// MoveTowards: turn towards the place and move; in PPA form done when the place is sensed.
     fn move_towards(&mut self, place: Object) -> bool {
-        if self.senses(place) {
+        if self.params.behaviours == Behaviours::Ppa && self.senses(place) {
             return true;
         }
-        let Some(bearing) = self.bearing(place) else { return false };
-        self.body.heading = bearing;
-        self.advance()
+        let bearing = self.bearing(place);
+        self.body.heading = bearing.unwrap_or(self.body.heading);
+        self.go(bearing.is_some())
     }
 
-    /// MoveAway: done when the place is not sensed; otherwise turn away from it and move.
+    /// MoveAway: turn away from the place and move; in PPA form done when the place is not sensed.
     fn move_away(&mut self, place: Object) -> bool {
-        if !self.senses(place) {
+        if self.params.behaviours == Behaviours::Ppa && !self.senses(place) {
             return true;
         }
-        let Some(bearing) = self.bearing(place) else { return false };
-        self.body.heading = bearing.map(|value| -value);
-        self.advance()
+        let bearing = self.bearing(place);
+        self.body.heading = bearing.map_or(self.body.heading, |bearing| bearing.map(|value| -value));
+        self.go(bearing.is_some())
     }
 
-    /// CompositeSingleCarry: done when carrying; otherwise the nearest item within reach is picked up. One item
-    /// at a time (our choice; the paper gives no weights).
-    fn carry(&mut self) -> bool {
-        if self.body.load.is_some() {
-            return true;
+    /// CompositeSingleCarry: picks up the nearest item within reach, one at a time (our choice; the paper gives no
+    /// weights). In PPA form done when carrying; in nominal form only what another node has sensed in this tick.
+    fn carry(&mut self, item: Object) -> bool {
+        let ready = match self.params.behaviours {
+            Behaviours::Ppa if self.body.load.is_some() => return true,
+            Behaviours::Ppa => item == self.field.item(),
+            Behaviours::Nominal => self.perceived && self.body.load.is_none() && item == self.field.item(),
+        };
+        if !ready {
+            return false;
         }
-        let Some(item) = self.field.nearest_item(self.position, self.params.sense_radius) else { return false };
-        self.field.pick_up(item);
-        self.body.load = Some(item);
+        let Some(found) = self.field.nearest_item(self.position, self.params.sense_radius) else { return false };
+        self.field.pick_up(found);
+        self.body.load = Some(found);
         true
     }
 
-    /// CompositeDrop: done when not carrying; otherwise the item is put down where the drop rule allows it.
-    fn put_down(&mut self) -> bool {
-        let Some(item) = self.body.load else { return true };
-        if self.params.drop_rule == DropRule::Hub && !self.field.hub.contains(self.position) {
+    /// CompositeDrop: puts the item down where the drop rule allows it; in PPA form done when not carrying.
+    fn put_down(&mut self, item: Object) -> bool {
+        let Some(item) = self.body.load.filter(|_| item == self.field.item()) else {
+            return self.params.behaviours == Behaviours::Ppa;
+        };
+        if self.params.drop_rule == DropRule::Sink && !self.field.accepts(self.position) {
             return false;
         }
         self.body.load = None;
@@ -193,21 +322,22 @@ impl<'a> Actor<'a> {
 
     fn run(&mut self, leaf: Leaf) -> bool {
         match leaf.name {
-            Name::IsVisitedBefore => self.is_known(leaf.object),
-            Name::IsCarrying => self.body.load.is_some(),
+            Name::IsVisitedBefore => self.body.knows(leaf.object, self.field),
+            Name::IsCarrying => self.body.load.is_some() && leaf.object == self.field.item(),
             // What is sensed is within reach.
             Name::NeighbourObjects | Name::IsCarryable => self.senses(leaf.object),
             Name::IsDropable => self.is_dropable(leaf.object),
-            // Nothing kills agents in this world.
-            Name::CanMove | Name::DummyNode => true,
+            Name::DummyNode => true,
+            Name::CanMove => self.body.alive,
+            _ if !self.body.alive => false,
             Name::MoveTowards => self.move_towards(leaf.object),
             Name::MoveAway => self.move_away(leaf.object),
             Name::Explore => {
                 self.turn();
-                self.advance()
+                self.go(true)
             }
-            Name::CompositeSingleCarry => self.carry(),
-            Name::CompositeDrop => self.put_down(),
+            Name::CompositeSingleCarry => self.carry(leaf.object),
+            Name::CompositeDrop => self.put_down(leaf.object),
         }
     }
 }

@@ -1,9 +1,10 @@
-//! What lies in the arena: hub, site and items; and where the agents stand.
+//! What lies in the arena: hub, sites, boundary, obstacles, traps and items; and where the agents stand.
 
 use super::grid::{Grid, squared_distance};
-use super::params::Params;
+use super::leaf::Object;
+use super::params::{ItemPlacement, Params, Task};
 use crate::fingerprint::Fingerprint;
-use crate::random::{Stream, direction};
+use crate::random::{Purpose, Seed, Stream, direction, stream};
 use rand::RngExt;
 
 /// A disc on the ground.
@@ -21,6 +22,23 @@ impl Disc {
     pub fn contains(&self, point: [f64; 2]) -> bool {
         squared_distance(self.centre, point) <= self.radius * self.radius
     }
+
+    fn feed(&self, hash: &mut Fingerprint) {
+        for value in [self.centre[0], self.centre[1], self.radius] {
+            hash.f64(value);
+        }
+    }
+
+    /// True when the way from `from` to `to` touches the disc.
+    #[must_use]
+    pub fn meets(&self, from: [f64; 2], to: [f64; 2]) -> bool {
+        let way = [to[0] - from[0], to[1] - from[1]];
+        let aside = [self.centre[0] - from[0], self.centre[1] - from[1]];
+        let squared = way[0] * way[0] + way[1] * way[1];
+        let along = (way[0] * aside[0] + way[1] * aside[1]) / if squared > 0.0 { squared } else { 1.0 };
+        let along = along.clamp(0.0, 1.0);
+        self.contains([from[0] + along * way[0], from[1] + along * way[1]])
+    }
 }
 
 /// Where an item is.
@@ -30,19 +48,27 @@ pub enum ItemState {
     Free,
     /// With an agent.
     Carried,
-    /// In the hub, for good.
+    /// Where it belongs, for good.
     Delivered,
 }
 
 /// The arena with all that agents sense and move.
 #[derive(Clone, Debug)]
 pub struct Field {
+    /// What the swarm is to do.
+    pub task: Task,
     /// Coordinates lie in `[-half, half]`.
     pub half: f64,
-    /// Where food is brought to and agents start: at the origin.
+    /// Where agents start: at the origin. Foraging: where food is brought to; nest: where debris lies.
     pub hub: Disc,
-    /// Where food lies at the start.
-    pub site: Disc,
+    /// Where food lies at the start; none in the nest.
+    pub sites: Vec<Disc>,
+    /// Nest: debris belongs outside this disc around the origin.
+    pub inside: Disc,
+    /// What bars the way.
+    pub obstacles: Vec<Disc>,
+    /// What kills on contact.
+    pub traps: Vec<Disc>,
     /// Where each agent stands.
     pub agents: Grid,
     /// Items on the ground.
@@ -53,29 +79,106 @@ pub struct Field {
 }
 
 impl Field {
-    /// Places the site at a random angle, the items uniformly in it, and the agents at the hub's centre.
+    /// Places sites at random angles, items in them (in the nest: in the hub), obstacles and traps, and the agents at
+    /// the hub's centre.
     ///
-    /// Source: BeTr-GEESE, sections 4.2 and 4.3. How items lie within the site is our choice.
-    #[must_use]
-    pub fn new(params: &Params, placement: &mut Stream) -> Self {
-        let [x, y] = direction(placement);
-        let centre = [x * params.site_distance, y * params.site_distance];
-        let site = Disc { centre, radius: params.site_radius };
+    /// # Errors
+    /// The field's name and why: no room for so many obstacles or traps.
+    ///
+    /// Source: BeTr-GEESE, sections 4.2 and 4.3. How items lie is our choice, and so are obstacles and traps: the paper
+    /// gives no numbers.
+    pub fn new(params: &Params, seed: Seed) -> Result<Self, (&'static str, String)> {
+        let placement = &mut stream(seed, Purpose::Placement, 0);
+        let hub = Disc { centre: [0.0; 2], radius: params.hub_radius };
+        let sites: Vec<Disc> = match params.task {
+            Task::Nest => Vec::new(),
+            Task::Forage => (0..params.sites)
+                .map(|_| {
+                    let [x, y] = direction(placement);
+                    Disc { centre: [x * params.site_distance, y * params.site_distance], radius: params.site_radius }
+                })
+                .collect(),
+        };
         let mut items = Grid::new(params.half(), params.item_count());
         for id in 0..params.item_count() {
-            items.put(id, within(&site, placement));
+            let place = if sites.is_empty() { hub } else { sites[id as usize % sites.len()] };
+            let point = match params.item_placement {
+                ItemPlacement::Scattered => within(&place, placement),
+                ItemPlacement::Stacked => place.centre,
+            };
+            items.put(id, point);
         }
         let mut agents = Grid::new(params.half(), params.agents);
         (0..params.agents).for_each(|id| agents.put(id, [0.0; 2]));
-        Self {
+        let mut field = Self {
+            task: params.task,
             half: params.half(),
-            hub: Disc { centre: [0.0; 2], radius: params.hub_radius },
-            site,
+            hub,
+            sites,
+            inside: Disc { centre: [0.0; 2], radius: params.boundary_radius },
+            obstacles: Vec::new(),
+            traps: Vec::new(),
             agents,
             items,
             states: vec![ItemState::Free; params.item_count() as usize],
             delivered: 0,
             carried: 0,
+        };
+        field.place_terrain(params, &mut stream(seed, Purpose::Terrain, 0))?;
+        Ok(field)
+    }
+
+    /// Obstacles and traps at random places, clear of hub, sites and each other by more than a step.
+    fn place_terrain(&mut self, params: &Params, rng: &mut Stream) -> Result<(), (&'static str, String)> {
+        let mut taken: Vec<Disc> = self.sites.iter().copied().chain([self.hub]).collect();
+        let gap = 2.0 * params.step_length;
+        for (name, count, radius) in
+            [("obstacles", params.obstacles, params.obstacle_radius), ("traps", params.traps, params.trap_radius)]
+        {
+            for placed in 0..count {
+                let side = self.half - radius;
+                let found = (0..1000).find_map(|_| {
+                    let centre = [0, 1].map(|_| (rng.random::<f64>() * 2.0 - 1.0) * side);
+                    let clear = |other: &Disc| {
+                        let apart = other.radius + radius + gap;
+                        squared_distance(other.centre, centre) > apart * apart
+                    };
+                    taken.iter().all(clear).then_some(Disc { centre, radius })
+                });
+                let Some(disc) = found else {
+                    return Err((name, format!("expected room for {count} of them, found room for {placed}")));
+                };
+                taken.push(disc);
+                if name == "traps" { &mut self.traps } else { &mut self.obstacles }.push(disc);
+            }
+        }
+        Ok(())
+    }
+
+    /// The item of the task.
+    #[must_use]
+    pub fn item(&self) -> Object {
+        match self.task {
+            Task::Forage => Object::Food,
+            Task::Nest => Object::Debris,
+        }
+    }
+
+    /// The place that takes the task's items.
+    #[must_use]
+    pub fn sink(&self) -> Object {
+        match self.task {
+            Task::Forage => Object::Hub,
+            Task::Nest => Object::Boundary,
+        }
+    }
+
+    /// True where an item that is put down is delivered.
+    #[must_use]
+    pub fn accepts(&self, place: [f64; 2]) -> bool {
+        match self.task {
+            Task::Forage => self.hub.contains(place),
+            Task::Nest => !self.inside.contains(place),
         }
     }
 
@@ -98,10 +201,10 @@ impl Field {
         self.carried += 1;
     }
 
-    /// Puts a carried item down: in the hub it is delivered, elsewhere it lies on the ground again.
+    /// Puts a carried item down: where it belongs it is delivered, elsewhere it lies on the ground again.
     pub fn put_down(&mut self, item: u32, place: [f64; 2]) {
         self.carried -= 1;
-        if self.hub.contains(place) {
+        if self.accepts(place) {
             self.states[item as usize] = ItemState::Delivered;
             self.delivered += 1;
         } else {
@@ -130,8 +233,16 @@ impl Field {
 
     /// Feeds places, items and the positions of the agents.
     pub fn feed(&self, hash: &mut Fingerprint) {
-        for value in [self.site.centre[0], self.site.centre[1], self.site.radius, self.hub.radius, self.half] {
-            hash.f64(value);
+        for disc in &self.sites {
+            disc.feed(hash);
+        }
+        hash.f64(self.hub.radius);
+        hash.f64(self.half);
+        for disc in self.obstacles.iter().chain(&self.traps) {
+            disc.feed(hash);
+        }
+        if self.task == Task::Nest {
+            hash.f64(self.inside.radius);
         }
         for (id, state) in self.states.iter().enumerate() {
             hash.u32(*state as u32);

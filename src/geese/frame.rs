@@ -2,6 +2,7 @@
 
 use super::field::{Disc, ItemState};
 use super::leaf::{Leaf, Name, Object, Takes};
+use super::params::Task;
 use super::world::World;
 use serde::Serialize;
 
@@ -15,6 +16,8 @@ pub struct Layout {
     items: Block,
     actions: Vec<String>,
     arena: Arena,
+    /// What is carried: food or debris.
+    item: &'static str,
     places: Vec<Place>,
 }
 
@@ -48,8 +51,8 @@ fn actions() -> impl Iterator<Item = (Name, Object)> {
     Name::ALL.into_iter().filter(|name| name.is_action()).flat_map(|name| {
         let objects: &[Object] = match name.takes() {
             Takes::Nothing => &[Object::Nothing],
-            Takes::Place => &[Object::Hub, Object::Sites],
-            Takes::Item => &[Object::Food],
+            Takes::Place => &Object::PLACES,
+            Takes::Item => &Object::ITEMS,
             Takes::Object => &Object::ALL,
         };
         objects.iter().map(move |&object| (name, object))
@@ -67,6 +70,13 @@ impl Layout {
         let items = block(agents.offset + agents.count * agents.stride, world.params().item_count() as usize, ITEM);
         let field = &world.state().field;
         let place = |kind, disc: Disc| Place { kind, x: disc.centre[0], y: disc.centre[1], radius: disc.radius };
+        let mut places = vec![place("hub", field.hub)];
+        if field.task == Task::Nest {
+            places.push(place("boundary", field.inside));
+        }
+        places.extend(field.sites.iter().map(|disc| place("site", *disc)));
+        places.extend(field.obstacles.iter().map(|disc| place("obstacle", *disc)));
+        places.extend(field.traps.iter().map(|disc| place("trap", *disc)));
         let names = actions().map(|(name, object)| {
             let gap = if object == Object::Nothing { "" } else { " " };
             format!("{}{gap}{}", name.text(), object.text())
@@ -78,7 +88,11 @@ impl Layout {
             items,
             actions: std::iter::once("none".to_owned()).chain(names).collect(),
             arena: Arena { half: field.half },
-            places: vec![place("hub", field.hub), place("site", field.site)],
+            item: match field.task {
+                Task::Forage => "food",
+                Task::Nest => "debris",
+            },
+            places,
         }
     }
 }
@@ -101,7 +115,7 @@ pub fn fill_frame(world: &World, frame: &mut Vec<f32>) {
             items,
             state.program_count(),
             state.swaps,
-            world.params().agents,
+            state.alive,
         ]
         .map(|count| count as f32),
     );
@@ -109,7 +123,8 @@ pub fn fill_frame(world: &World, frame: &mut Vec<f32>) {
         let [x, y] = field.agents.point(id as u32);
         let heading = libm::atan2(body.heading[1], body.heading[0]);
         let carrying = if body.load.is_some() { 1.0 } else { 0.0 };
-        frame.extend([x as f32, y as f32, heading as f32, carrying, action_number(body.last_action), 1.0]);
+        let alive = if body.alive { 1.0 } else { 0.0 };
+        frame.extend([x as f32, y as f32, heading as f32, carrying, action_number(body.last_action), alive]);
     }
     let from = frame.len();
     for (id, item) in field.item_states().iter().enumerate() {

@@ -248,8 +248,16 @@ fn behaviours(state: &State, names: &[Name]) -> Vec<Behaviour> {
 fn shown_agent(state: &State, id: u32) -> Agent {
     let (body, mind) = (&state.bodies[id as usize], &state.minds[id as usize]);
     let position = state.field.agents.point(id);
-    let places = [(Object::Hub, state.field.hub), (Object::Sites, state.field.site)];
-    let known = [(Object::Hub, true), (Object::Sites, body.knows_site)];
+    let field = &state.field;
+    let stands_in = |place: Object| match place {
+        Object::Hub => field.hub.contains(position),
+        Object::Sites => field.sites.iter().any(|disc| disc.contains(position)),
+        Object::Boundary => field.sink() == Object::Boundary && field.accepts(position),
+        _ => false,
+    };
+    let places = |is: &dyn Fn(Object) -> bool| -> Vec<&'static str> {
+        Object::PLACES.into_iter().filter(|place| is(*place)).map(Object::text).collect()
+    };
     let ran = mind.ran(state.tick);
     Agent {
         id,
@@ -257,9 +265,9 @@ fn shown_agent(state: &State, id: u32) -> Agent {
         y: position[1],
         heading: libm::atan2(body.heading[1], body.heading[0]),
         carrying: body.load.is_some(),
-        alive: true,
-        knows: known.iter().filter(|place| place.1).map(|place| place.0.text()).collect(),
-        inside: places.iter().filter(|place| place.1.contains(position)).map(|place| place.0.text()).collect(),
+        alive: body.alive,
+        knows: places(&|place| body.knows(place, field)),
+        inside: places(&stands_in),
         fitness: mind.fitness,
         diversity: mind.diversity,
         exploration: mind.visited.count(),

@@ -59,8 +59,10 @@ impl Category {
 
     fn of_object(object: Object) -> Self {
         match object {
-            Object::Food => Self::Item,
-            Object::Hub | Object::Sites | Object::Nothing => Self::Place,
+            Object::Food | Object::Debris => Self::Item,
+            Object::Hub | Object::Sites | Object::Boundary | Object::Obstacles | Object::Trap | Object::Nothing => {
+                Self::Place
+            }
         }
     }
 

@@ -115,11 +115,26 @@ pub enum Object {
     Sites,
     /// The item of the foraging task.
     Food,
+    /// The circle around the nest beyond which debris belongs.
+    Boundary,
+    /// The item of the nest-maintenance task.
+    Debris,
+    /// What bars the way.
+    Obstacles,
+    /// What kills on contact.
+    Trap,
 }
 
 impl Object {
     /// Every argument a grammar may name.
-    pub const ALL: [Self; 3] = [Self::Hub, Self::Sites, Self::Food];
+    pub const ALL: [Self; 7] =
+        [Self::Hub, Self::Sites, Self::Food, Self::Boundary, Self::Debris, Self::Obstacles, Self::Trap];
+
+    /// The arguments that are places.
+    pub const PLACES: [Self; 5] = [Self::Hub, Self::Sites, Self::Boundary, Self::Obstacles, Self::Trap];
+
+    /// The arguments that are items.
+    pub const ITEMS: [Self; 2] = [Self::Food, Self::Debris];
 
     /// The argument as the paper writes it; empty for [`Object::Nothing`].
     #[must_use]
@@ -129,6 +144,10 @@ impl Object {
             Self::Hub => "Hub",
             Self::Sites => "Sites",
             Self::Food => "Food",
+            Self::Boundary => "Boundary",
+            Self::Debris => "Debris",
+            Self::Obstacles => "Obstacles",
+            Self::Trap => "Trap",
         }
     }
 }

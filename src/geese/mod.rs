@@ -12,6 +12,7 @@ mod derive;
 mod export;
 mod field;
 mod frame;
+mod grammars;
 mod grid;
 mod inspect;
 mod language;
@@ -27,13 +28,14 @@ mod world;
 pub use derive::{Derived, DerivedStep};
 pub use export::{export_agent, export_query, write_xml};
 pub use frame::{Layout, fill_frame};
+pub use grammars::grammar_text;
 pub use inspect::{Detail, Query};
 pub use language::LanguageError;
 pub use leaf::{Leaf, Name, Object, Tag, Takes};
 pub use params::{
-    CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, MovesPerStep, MutationMode, Params,
-    ParentSelection, StorageContent, SwapRule,
+    Behaviours, CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, ItemPlacement, MovesPerStep,
+    MutationMode, Params, ParentSelection, StorageContent, SwapRule, Task,
 };
 pub use program::{Compiler, CompilerError, Survey, program_text};
-pub use schema::{GRAMMAR, PARAMETERS};
+pub use schema::PARAMETERS;
 pub use world::{Finished, Outcome, SAMPLE_EVERY, Sample, State, World};

@@ -1,6 +1,5 @@
 //! The switches of the world: the paper's text taken literally is the default of each.
 
-use super::schema::GRAMMAR;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -8,17 +7,28 @@ use serde_json::Value;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[expect(missing_docs, reason = "each field is described once, in the schema")]
+#[expect(clippy::struct_excessive_bools, reason = "the fitness types are switches of the paper, each on its own")]
 pub struct Params {
+    pub task: Task,
     pub agents: u32,
     pub steps: u32,
     pub arena_size: u32,
     pub hub_radius: f64,
+    pub sites: u32,
     pub site_radius: f64,
     pub site_distance: f64,
+    pub boundary_radius: f64,
     pub items: u32,
+    pub item_placement: ItemPlacement,
+    pub obstacles: u32,
+    pub obstacle_radius: f64,
+    pub traps: u32,
+    pub trap_radius: f64,
     pub success_threshold: f64,
+    pub behaviours: Behaviours,
     pub step_length: f64,
     pub moves_per_step: MovesPerStep,
+    pub look_ahead: f64,
     pub sense_radius: f64,
     pub explore_heading: ExploreHeading,
     pub turn_deviation: f64,
@@ -43,7 +53,42 @@ pub struct Params {
     pub mutation_mode: MutationMode,
     pub mutation_probability: f64,
     pub swap_rule: SwapRule,
+    pub fitness_diversity: bool,
+    pub fitness_exploration: bool,
+    pub fitness_prospective: bool,
+    pub fitness_task: bool,
+    pub fitness_feedback: bool,
     pub fitness_memory: f64,
+}
+
+/// What the swarm is to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Task {
+    /// Bring food from the sites to the hub.
+    Forage,
+    /// Carry debris from the hub out of the boundary.
+    Nest,
+}
+
+/// How items lie at the start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ItemPlacement {
+    /// Anywhere in the site, or in the hub for debris.
+    Scattered,
+    /// All on its centre.
+    Stacked,
+}
+
+/// How the primitive behaviours are built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Behaviours {
+    /// With postconditions and obstacle avoidance.
+    Ppa,
+    /// Plain sequences, as in GEESE-BT.
+    Nominal,
 }
 
 /// How many moves an agent makes in one step.
@@ -70,10 +115,10 @@ pub enum ExploreHeading {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DropRule {
-    /// Anywhere; outside the hub the item stays on the ground.
+    /// Anywhere; where it does not belong the item stays on the ground.
     Anywhere,
-    /// Only in the hub; elsewhere the drop fails.
-    Hub,
+    /// Only where the item belongs; elsewhere the drop fails.
+    Sink,
 }
 
 /// When the condition IsDropable holds.
@@ -82,9 +127,9 @@ pub enum DropRule {
 pub enum IsDropable {
     /// Everywhere, as dropping is allowed everywhere.
     Always,
-    /// For the hub, wherever the agent is: it is the kind of place that takes food.
+    /// For the place that takes the task's items, wherever the agent is: the hub or the boundary.
     Kind,
-    /// For the hub, while the agent stands in it.
+    /// For that place, while the agent stands there.
     Standing,
 }
 
@@ -155,16 +200,26 @@ pub enum SwapRule {
 impl Default for Params {
     fn default() -> Self {
         Self {
+            task: Task::Forage,
             agents: 100,
             steps: 12_000,
             arena_size: 100,
             hub_radius: 10.0,
+            sites: 1,
             site_radius: 10.0,
             site_distance: 30.0,
+            boundary_radius: 30.0,
             items: 0,
+            item_placement: ItemPlacement::Scattered,
+            obstacles: 0,
+            obstacle_radius: 5.0,
+            traps: 0,
+            trap_radius: 5.0,
             success_threshold: 0.8,
+            behaviours: Behaviours::Ppa,
             step_length: 2.0,
             moves_per_step: MovesPerStep::One,
+            look_ahead: 3.0,
             sense_radius: 5.0,
             explore_heading: ExploreHeading::Uniform,
             turn_deviation: 0.1,
@@ -174,7 +229,7 @@ impl Default for Params {
             codon_max: 255,
             max_depth: 10,
             max_wraps: 0,
-            grammar: GRAMMAR.to_owned(),
+            grammar: "ppa".to_owned(),
             interaction_probability: 0.85,
             storage_threshold: 7,
             storage_content: StorageContent::Meetings,
@@ -189,6 +244,11 @@ impl Default for Params {
             mutation_mode: MutationMode::Bit,
             mutation_probability: 0.01,
             swap_rule: SwapRule::Greater,
+            fitness_diversity: true,
+            fitness_exploration: true,
+            fitness_prospective: false,
+            fitness_task: false,
+            fitness_feedback: true,
             fitness_memory: 0.9,
         }
     }
@@ -217,7 +277,24 @@ impl Params {
                 put_word(&mut self.explore_heading, &[ExploreHeading::Uniform, ExploreHeading::Turning], value)
             }
             "turn-deviation" => value.as_f64().is_some_and(|real| put(&mut self.turn_deviation, real)),
-            "drop-rule" => put_word(&mut self.drop_rule, &[DropRule::Anywhere, DropRule::Hub], value),
+            "drop-rule" => put_word(&mut self.drop_rule, &[DropRule::Anywhere, DropRule::Sink], value),
+            "task" => put_word(&mut self.task, &[Task::Forage, Task::Nest], value),
+            "sites" => put_whole(&mut self.sites, value),
+            "boundary-radius" => value.as_f64().is_some_and(|real| put(&mut self.boundary_radius, real)),
+            "item-placement" => {
+                put_word(&mut self.item_placement, &[ItemPlacement::Scattered, ItemPlacement::Stacked], value)
+            }
+            "obstacles" => put_whole(&mut self.obstacles, value),
+            "obstacle-radius" => value.as_f64().is_some_and(|real| put(&mut self.obstacle_radius, real)),
+            "traps" => put_whole(&mut self.traps, value),
+            "trap-radius" => value.as_f64().is_some_and(|real| put(&mut self.trap_radius, real)),
+            "behaviours" => put_word(&mut self.behaviours, &[Behaviours::Ppa, Behaviours::Nominal], value),
+            "look-ahead" => value.as_f64().is_some_and(|real| put(&mut self.look_ahead, real)),
+            "fitness-diversity" => value.as_bool().is_some_and(|on| put(&mut self.fitness_diversity, on)),
+            "fitness-exploration" => value.as_bool().is_some_and(|on| put(&mut self.fitness_exploration, on)),
+            "fitness-prospective" => value.as_bool().is_some_and(|on| put(&mut self.fitness_prospective, on)),
+            "fitness-task" => value.as_bool().is_some_and(|on| put(&mut self.fitness_task, on)),
+            "fitness-feedback" => value.as_bool().is_some_and(|on| put(&mut self.fitness_feedback, on)),
             "is-dropable" => {
                 put_word(&mut self.is_dropable, &[IsDropable::Always, IsDropable::Kind, IsDropable::Standing], value)
             }

@@ -1,37 +1,11 @@
 //! Bounds, meaning and source of every parameter, and the checks that concern several of them.
 
-use super::params::{MutationMode, Params};
+use super::body::MOST_PLACES;
+use super::grammars::grammar_text;
+use super::params::{MutationMode, Params, Task};
 use super::program::Compiler;
 use crate::evolution::Limits;
 use crate::parameter::{Apply, Kind, Parameter, number};
-
-/// The PPA grammar of BeTr-GEESE for foraging (BNF-II), after the paper's appendix B. The paper elides the
-/// alternatives of pc, p, k and action; they are those of the authors' grammar for foraging. The order matters:
-/// a codon chooses by number.
-pub const GRAMMAR: &str = "\
-<S> ::= <root>
-<root> ::= <sequence> | <selector>
-<sequence> ::= Seq[<ppa>] | Seq[<root> <root>] | Seq[<sequence> <root>]
-<selector> ::= Sel[<ppa>] | Sel[<root> <root>] | Sel[<selector> <root>]
-<ppa> ::= Sel[<postconditions> <ppasequence>]
-<postconditions> ::= <successnode> | <ppa> | Seq[<postcondition>]
-<postcondition> ::= <postcondition> Post(<pc>) | Post(<pc>)
-<pc> ::= NeighbourObjects <o> | NeighbourObjects <s> | NeighbourObjects <d> | IsCarrying <d> | IsVisitedBefore <s>
-<ppasequence> ::= Seq[<preconditions> Act(<action>)] | Seq[<constraints> Act(<action>)]
-  | Seq[<preconditions> <constraints> Act(<action>)]
-<preconditions> ::= Seq[<precondition>]
-<precondition> ::= <precondition> Pre(<p>) | Pre(<p>)
-<p> ::= IsDropable <s> | NeighbourObjects <o> | not NeighbourObjects <o> | IsVisitedBefore <s>
-  | not IsVisitedBefore <s> | IsCarrying <d> | not IsCarrying <d>
-<constraints> ::= Seq[<constraint>]
-<constraint> ::= <constraint> Con(<k>) | Con(<k>)
-<k> ::= CanMove | IsCarryable <d> | IsDropable <s>
-<action> ::= MoveTowards <s> | Explore | CompositeSingleCarry <d> | CompositeDrop <d> | MoveAway <s>
-<o> ::= <s> | <d>
-<s> ::= Hub | Sites
-<d> ::= Food
-<successnode> ::= Post(DummyNode)
-";
 
 const WORLD: &str = "World";
 const ROBOTS: &str = "Robots";
@@ -50,6 +24,16 @@ const fn real(min: f64, max: f64, hard_max: f64, step: f64) -> Kind {
 /// All parameters, in the order in which the page shows them.
 pub const PARAMETERS: &[Parameter] = &[
     Parameter {
+        name: "task",
+        kind: Kind::Choice(&[("forage", "Foraging"), ("nest", "Nest maintenance")]),
+        unit: "",
+        apply: Apply::Restart,
+        group: WORLD,
+        label: "Task",
+        help: "Bring food from the site to the hub, or carry debris from the hub out of the boundary.",
+        source: "BeTr-GEESE, section 4.3",
+    },
+    Parameter {
         name: "agents",
         kind: int(1, 400, 10_000),
         unit: "robots",
@@ -65,8 +49,8 @@ pub const PARAMETERS: &[Parameter] = &[
         unit: "items",
         apply: Apply::Restart,
         group: WORLD,
-        label: "Food",
-        help: "How much food lies at the site. 0 means as much as there are robots.",
+        label: "Items",
+        help: "How many pieces of food or debris there are. 0 means as many as robots.",
         source: "BeTr-GEESE, section 4.3",
     },
     Parameter {
@@ -76,7 +60,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Restart,
         group: WORLD,
         label: "Steps",
-        help: "The run ends after so many steps, or earlier when all food is delivered.",
+        help: "The run ends after so many steps, or earlier when every item is where it belongs.",
         source: TABLE_1,
     },
     Parameter {
@@ -86,8 +70,28 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Live,
         group: WORLD,
         label: "Success above",
-        help: "A run is a success when more than this share of the food is delivered at its end.",
+        help: "A run is a success when more than this share of the items is where it belongs at its end.",
         source: "BeTr-GEESE, section 4.3",
+    },
+    Parameter {
+        name: "item-placement",
+        kind: Kind::Choice(&[("scattered", "Scattered"), ("stacked", "On one spot")]),
+        unit: "",
+        apply: Apply::Restart,
+        group: WORLD,
+        label: "Items lie",
+        help: "Anywhere in the site (debris: in the hub), or all on its centre.",
+        source: "our choice; the paper is silent, the authors' code stacks them",
+    },
+    Parameter {
+        name: "sites",
+        kind: int(1, 4, MOST_PLACES),
+        unit: "sites",
+        apply: Apply::Restart,
+        group: WORLD,
+        label: "Sites",
+        help: "Food is shared out among so many sites, each in a random direction.",
+        source: "BeTr-GEESE, section 4.3 (one site)",
     },
     Parameter {
         name: "site-distance",
@@ -120,6 +124,56 @@ pub const PARAMETERS: &[Parameter] = &[
         source: "BeTr-GEESE, section 4.3",
     },
     Parameter {
+        name: "boundary-radius",
+        kind: real(5.0, 45.0, 200.0, 1.0),
+        unit: "units",
+        apply: Apply::Restart,
+        group: WORLD,
+        label: "Boundary radius",
+        help: "In nest maintenance, debris belongs outside this circle around the origin.",
+        source: "BeTr-GEESE, section 4.3",
+    },
+    Parameter {
+        name: "obstacles",
+        kind: int(0, 5, MOST_PLACES),
+        unit: "obstacles",
+        apply: Apply::Restart,
+        group: WORLD,
+        label: "Obstacles",
+        help: "How many obstacles stand at random places. They bar the way.",
+        source: "our choice: none; the paper gives no number",
+    },
+    Parameter {
+        name: "obstacle-radius",
+        kind: real(0.5, 10.0, 50.0, 0.5),
+        unit: "units",
+        apply: Apply::Restart,
+        group: WORLD,
+        label: "Obstacle radius",
+        help: "Obstacles are discs of this radius.",
+        source: "our choice; the authors' code has 5",
+    },
+    Parameter {
+        name: "traps",
+        kind: int(0, 5, MOST_PLACES),
+        unit: "traps",
+        apply: Apply::Restart,
+        group: WORLD,
+        label: "Traps",
+        help: "How many traps lie at random places. A robot that touches one is dead.",
+        source: "our choice: none; the paper gives no number",
+    },
+    Parameter {
+        name: "trap-radius",
+        kind: real(0.5, 10.0, 50.0, 0.5),
+        unit: "units",
+        apply: Apply::Restart,
+        group: WORLD,
+        label: "Trap radius",
+        help: "Traps are discs of this radius.",
+        source: "our choice; the authors' code has 5",
+    },
+    Parameter {
         name: "arena-size",
         kind: int(20, 200, 400),
         unit: "units",
@@ -128,6 +182,16 @@ pub const PARAMETERS: &[Parameter] = &[
         label: "Arena side",
         help: "The arena is a square. A robot that reaches the edge stays on it and turns round.",
         source: "BeTr-GEESE, section 4.2; the rule at the edge is our choice, the paper is silent",
+    },
+    Parameter {
+        name: "behaviours",
+        kind: Kind::Choice(&[("ppa", "PPA: with postconditions"), ("nominal", "Nominal: plain sequences")]),
+        unit: "",
+        apply: Apply::Live,
+        group: ROBOTS,
+        label: "Primitive behaviours",
+        help: "PPA behaviours stop when their goal is reached and walk around obstacles; nominal ones do neither.",
+        source: "BeTr-GEESE, section 4.4, Figure 1",
     },
     Parameter {
         name: "step-length",
@@ -148,6 +212,16 @@ pub const PARAMETERS: &[Parameter] = &[
         label: "Moves per step",
         help: "Whether a tree with several moving actions can move several times in one step.",
         source: "our choice; the paper is silent, the authors' code sets no limit",
+    },
+    Parameter {
+        name: "look-ahead",
+        kind: real(0.0, 10.0, 50.0, 0.5),
+        unit: "units",
+        apply: Apply::Live,
+        group: ROBOTS,
+        label: "Look ahead",
+        help: "How far ahead PPA behaviours see obstacles and traps.",
+        source: "our choice, as in the authors' code; the paper is silent on the length",
     },
     Parameter {
         name: "sense-radius",
@@ -181,22 +255,26 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "drop-rule",
-        kind: Kind::Choice(&[("anywhere", "Anywhere"), ("hub", "Only at the hub")]),
+        kind: Kind::Choice(&[("anywhere", "Anywhere"), ("sink", "Only where it belongs")]),
         unit: "",
         apply: Apply::Live,
         group: ROBOTS,
         label: "Dropping",
-        help: "Food dropped outside the hub stays on the ground and can be picked up again.",
+        help: "Food belongs in the hub, debris outside the boundary; elsewhere it stays on the ground and can be picked up again.",
         source: "BeTr-GEESE, appendix A (at the current location)",
     },
     Parameter {
         name: "is-dropable",
-        kind: Kind::Choice(&[("always", "Always"), ("kind", "For the hub"), ("standing", "Inside the hub")]),
+        kind: Kind::Choice(&[
+            ("always", "Always"),
+            ("kind", "For the right place"),
+            ("standing", "At the right place"),
+        ]),
         unit: "",
         apply: Apply::Live,
         group: ROBOTS,
         label: "IsDropable holds",
-        help: "When the condition IsDropable succeeds. Inside the hub only, it keeps robots from ever leaving it.",
+        help: "When the condition IsDropable succeeds. At the hub only, it keeps foraging robots from ever leaving it.",
         source: "our choice: the paper lets items be dropped at any place; the authors' code always succeeds",
     },
     Parameter {
@@ -343,6 +421,56 @@ pub const PARAMETERS: &[Parameter] = &[
         source: "BeTr-GEESE, section 3 (if fitter); a child has no fitness but its diversity yet",
     },
     Parameter {
+        name: "fitness-diversity",
+        kind: Kind::Bool,
+        unit: "",
+        apply: Apply::Live,
+        group: EVOLUTION,
+        label: "Fitness I: diversity",
+        help: "Distinct behaviours in the tree over those in the grammar count for fitness.",
+        source: "BeTr-GEESE, section 4.6",
+    },
+    Parameter {
+        name: "fitness-exploration",
+        kind: Kind::Bool,
+        unit: "",
+        apply: Apply::Live,
+        group: EVOLUTION,
+        label: "Fitness II: exploration",
+        help: "Unit squares visited since the program was taken up count for fitness.",
+        source: "BeTr-GEESE, section 4.6; what a location is, is our choice",
+    },
+    Parameter {
+        name: "fitness-prospective",
+        kind: Kind::Bool,
+        unit: "",
+        apply: Apply::Live,
+        group: EVOLUTION,
+        label: "Fitness III: prospective",
+        help: "Items carried count for fitness: an ad hoc reward of GEESE-BT.",
+        source: "BeTr-GEESE, section 4.6; the formula is our choice",
+    },
+    Parameter {
+        name: "fitness-task",
+        kind: Kind::Bool,
+        unit: "",
+        apply: Apply::Live,
+        group: EVOLUTION,
+        label: "Fitness IV: task",
+        help: "Items where they belong, of the whole swarm, count for fitness: an ad hoc reward of GEESE-BT.",
+        source: "BeTr-GEESE, section 4.6",
+    },
+    Parameter {
+        name: "fitness-feedback",
+        kind: Kind::Bool,
+        unit: "",
+        apply: Apply::Live,
+        group: EVOLUTION,
+        label: "Fitness V: feedback",
+        help: "Statuses of the tree's own nodes count for fitness.",
+        source: "BeTr-GEESE, section 4.6",
+    },
+    Parameter {
         name: "fitness-memory",
         kind: real(0.0, 1.0, 1.0, 0.01),
         unit: "",
@@ -399,7 +527,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Restart,
         group: GENOME,
         label: "Grammar",
-        help: "The rules that turn codons into behaviour trees.",
+        help: "The rules that turn codons into behaviour trees. The words ppa and nominal stand for the built-in rules of the task.",
         source: "BeTr-GEESE, appendix B; the parts the paper leaves out are those of the authors' grammar",
     },
 ];
@@ -411,7 +539,8 @@ impl Params {
     /// The field's name, what was found and what is allowed.
     pub fn check(&self) -> Result<Compiler, (&'static str, String)> {
         let limits = Limits { max_wraps: self.max_wraps, max_depth: self.max_depth };
-        let compiler = Compiler::new(&self.grammar, limits).map_err(|error| ("grammar", error.to_string()))?;
+        let compiler = Compiler::new(&grammar_text(&self.grammar, self.task), limits)
+            .map_err(|error| ("grammar", error.to_string()))?;
         let least = compiler.grammar().least_depth();
         if self.max_depth < least {
             let message = format!(
@@ -437,7 +566,15 @@ impl Params {
             return Err(("codon-max", message));
         }
         let reach = self.site_distance + self.site_radius;
-        if reach > self.half() {
+        if self.task == Task::Nest && self.boundary_radius > self.half() {
+            let message = format!(
+                "expected at most {}, half the arena's side, found {}",
+                number(self.half()),
+                number(self.boundary_radius)
+            );
+            return Err(("boundary-radius", message));
+        }
+        if self.task == Task::Forage && reach > self.half() {
             let message = format!(
                 "expected at most {}, so that a site of radius {} lies inside the arena, found {}",
                 number(self.half() - self.site_radius),

@@ -5,7 +5,7 @@ use super::breeding::{Best, Breeder, Source};
 use super::field::Field;
 use super::mind::{Feedback, Mind, Program, Storage, Visited};
 use super::near::Near;
-use super::params::{Params, StorageContent, SwapRule};
+use super::params::{Params, StorageContent, SwapRule, Task};
 use super::program::{Compiler, placeholder};
 use crate::bt::{Memory, tick_once};
 use crate::evolution::Genome;
@@ -35,6 +35,8 @@ pub struct State {
     pub(super) minds: Vec<Mind>,
     activation: Stream,
     order: Vec<u32>,
+    /// Agents that have touched no trap.
+    pub(super) alive: u32,
     /// Programs replaced in the last step.
     pub(super) swaps: u32,
     /// Programs replaced since the last sample.
@@ -79,6 +81,12 @@ pub enum Finished {
     /// Nothing is left to do.
     #[serde(rename = "all food delivered")]
     AllDelivered,
+    /// No debris is left inside the boundary.
+    #[serde(rename = "all debris removed")]
+    AllRemoved,
+    /// Every agent has touched a trap.
+    #[serde(rename = "all robots dead")]
+    AllDead,
 }
 
 impl Finished {
@@ -88,6 +96,8 @@ impl Finished {
         match self {
             Self::TickLimit => "tick limit",
             Self::AllDelivered => "all food delivered",
+            Self::AllRemoved => "all debris removed",
+            Self::AllDead => "all robots dead",
         }
     }
 }
@@ -100,7 +110,7 @@ impl World {
     /// random genomes give no program.
     pub fn new(params: &Params, seed: Seed) -> Result<Self, (&'static str, String)> {
         let mut breeder = Breeder::new(params.check()?, params);
-        let field = Field::new(params, &mut stream(seed, Purpose::Placement, 0));
+        let field = Field::new(params, seed)?;
         let agents = 0..params.agents;
         let bodies = agents.clone().map(|id| Body::new(stream(seed, Purpose::Walk, id))).collect();
         let minds = agents
@@ -121,6 +131,7 @@ impl World {
             minds,
             activation: stream(seed, Purpose::Activation, 0),
             order: (0..params.agents).collect(),
+            alive: params.agents,
             swaps: 0,
             swaps_since_sample: 0,
             history: Vec::new(),
@@ -163,7 +174,12 @@ impl World {
         let (delivered, items) = (self.state.field.delivered(), self.params.item_count());
         let share = f64::from(delivered) / f64::from(items);
         let finished = if delivered == items {
-            Some(Finished::AllDelivered)
+            Some(match self.params.task {
+                Task::Forage => Finished::AllDelivered,
+                Task::Nest => Finished::AllRemoved,
+            })
+        } else if self.state.alive == 0 {
+            Some(Finished::AllDead)
         } else {
             (self.state.tick >= self.params.steps).then_some(Finished::TickLimit)
         };
@@ -187,8 +203,15 @@ impl World {
         }
         for turn in 0..state.order.len() {
             let agent = state.order[turn];
+            if !state.bodies[agent as usize].alive {
+                continue;
+            }
             state.tick_program(params, agent);
-            state.meet(params, breeder, near, agent);
+            if state.bodies[agent as usize].alive {
+                state.meet(params, breeder, near, agent);
+            } else {
+                state.alive -= 1;
+            }
         }
         state.swaps_since_sample += state.swaps;
         if state.tick.is_multiple_of(SAMPLE_EVERY) {
@@ -248,10 +271,12 @@ impl State {
         &self.history
     }
 
-    /// Ticks the agent's program once and updates its fitness: `A = beta A + D + E + B`.
+    /// Ticks the agent's program once and updates its fitness: `A = beta A + D + E + B`, or the sum of the fitness types
+    /// that the scenario chooses.
     ///
     /// Source: BeTr-GEESE, section 4.6, "Blending Fitness Types". E counts the distinct unit squares visited since the
-    /// program was taken up (our reading of "unique world locations").
+    /// program was taken up (our reading of "unique world locations"); prospective fitness counts the item carried (the
+    /// paper gives no formula); task fitness counts the items that the whole swarm has brought where they belong.
     fn tick_program(&mut self, params: &Params, agent: u32) {
         let mind = &mut self.minds[agent as usize];
         let Program { tree, memory, trace, .. } = &mut mind.program;
@@ -261,8 +286,16 @@ impl State {
         debug_assert!(ticked.is_ok(), "evolved trees have no node whose tick can fail");
         mind.feedback = feedback.sum;
         mind.visited.mark(self.field.agents.point(agent));
-        let exploration = mind.visited.count() as f64;
-        mind.fitness = params.fitness_memory * mind.fitness + (mind.diversity + exploration + f64::from(feedback.sum));
+        let carrying = self.bodies[agent as usize].load.is_some();
+        let types = [
+            (params.fitness_diversity, mind.diversity),
+            (params.fitness_exploration, mind.visited.count() as f64),
+            (params.fitness_feedback, f64::from(feedback.sum)),
+            (params.fitness_prospective, f64::from(u8::from(carrying))),
+            (params.fitness_task, f64::from(self.field.delivered())),
+        ];
+        let sum: f64 = types.iter().map(|(counts, value)| if *counts { *value } else { 0.0 }).sum();
+        mind.fitness = params.fitness_memory * mind.fitness + sum;
     }
 
     /// Sense, act and update: takes copies of the neighbours' genomes, and breeds when it has enough of them.

@@ -8,10 +8,15 @@ use swarm_playground::bt::xml::{Document, Element, Manifest, NodeKind, read, wri
 use swarm_playground::bt::{Builder, Tree};
 use swarm_playground::evolution::Limits;
 use swarm_playground::geese::{
-    Compiler, Detail, GRAMMAR, Leaf, Name, Object, Query, Tag, World, export_agent, export_query, program_text,
-    write_xml,
+    Compiler, Detail, Leaf, Name, Object, Query, Tag, Task, World, export_agent, export_query, grammar_text,
+    program_text, write_xml,
 };
 use swarm_playground::scenario::{Run, Scenario};
+
+/// The built-in PPA grammar for foraging.
+fn ppa() -> String {
+    grammar_text("ppa", Task::Forage).into_owned()
+}
 
 fn compiler(grammar: &str, max_depth: u32) -> Compiler {
     Compiler::new(grammar, Limits { max_wraps: 0, max_depth }).expect("the grammar is valid")
@@ -78,7 +83,7 @@ fn assert_same(xml: &str, program: &str) {
 
 #[test]
 fn a_program_is_written_with_ports_tags_and_inverters() {
-    let mut compiler = compiler(GRAMMAR, 11);
+    let mut compiler = compiler(&ppa(), 11);
     let mut tree = empty_tree();
     // Section 4.5 of the mapping's worked examples, with a second postcondition and a negated precondition.
     let codons = [12, 3, 6, 8, 5, 8, 9, 0, 0, 1, 18, 11, 6, 0, 15, 2, 0, 1, 10, 33];
@@ -187,7 +192,7 @@ fn every_leaf_that_can_be_written_is_read_back() {
 
 #[cfg(not(target_arch = "wasm32"))]
 mod laws {
-    use super::{GRAMMAR, assert_same, compiler, empty_tree, program_text, write_xml};
+    use super::{assert_same, compiler, empty_tree, ppa, program_text, write_xml};
     use proptest::prelude::*;
 
     /// A grammar with everything that the default one leaves out: no tags, no argument, several nodes at the top.
@@ -210,7 +215,8 @@ mod laws {
             max_depth in 8_u32..40,
         ) {
             let mut tree = empty_tree();
-            let mut compiler = compiler(if plain { PLAIN } else { GRAMMAR }, max_depth);
+            let ppa = ppa();
+            let mut compiler = compiler(if plain { PLAIN } else { &ppa }, max_depth);
             if compiler.compile(&codons, &mut tree).is_ok() {
                 assert_same(&write_xml(&tree, "Any_1"), &program_text(&tree));
             }

@@ -2,7 +2,7 @@
 
 use super::grid::{Grid, squared_distance};
 use super::leaf::Object;
-use super::params::{ItemPlacement, Params, Task};
+use super::params::{ItemPlacement, Params, StartPositions, Task};
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, direction, stream};
 use rand::RngExt;
@@ -109,7 +109,13 @@ impl Field {
             items.put(id, point);
         }
         let mut agents = Grid::new(params.half(), params.agents);
-        (0..params.agents).for_each(|id| agents.put(id, [0.0; 2]));
+        for id in 0..params.agents {
+            let start = match params.start_positions {
+                StartPositions::Hub => hub.centre,
+                StartPositions::Uniform => [0, 1].map(|_| (placement.random::<f64>() * 2.0 - 1.0) * params.half()),
+            };
+            agents.put(id, start);
+        }
         let mut field = Self {
             task: params.task,
             half: params.half(),
@@ -131,6 +137,10 @@ impl Field {
     /// Obstacles and traps at random places, clear of hub, sites and each other by more than a step.
     fn place_terrain(&mut self, params: &Params, rng: &mut Stream) -> Result<(), (&'static str, String)> {
         let mut taken: Vec<Disc> = self.sites.iter().copied().chain([self.hub]).collect();
+        if params.start_positions == StartPositions::Uniform {
+            // Nobody starts in an obstacle or a trap.
+            taken.extend((0..params.agents).map(|id| Disc { centre: self.agents.point(id), radius: 0.0 }));
+        }
         let gap = 2.0 * params.step_length;
         for (name, count, radius) in
             [("obstacles", params.obstacles, params.obstacle_radius), ("traps", params.traps, params.trap_radius)]

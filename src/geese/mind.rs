@@ -1,6 +1,7 @@
 //! An agent's controller and all that evolution needs of it: genome, program, fitness and stored genomes.
 
 use super::leaf::{Leaf, Tag};
+use super::visited::Visited;
 use crate::bt::{Kind, Memory, NodeId, Recorder, Status, Tree};
 use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
@@ -86,7 +87,7 @@ impl Mind {
         hash.u32(self.swaps);
         hash.f64(self.diversity);
         hash.f64(self.fitness);
-        self.visited.squares.iter().for_each(|&square| hash.u32(square));
+        self.visited.squares().iter().for_each(|&square| hash.u32(square));
         for entry in self.storage.entries() {
             hash.u32(entry.donor);
             hash.f64(entry.fitness);
@@ -94,54 +95,6 @@ impl Mind {
             entry.genome.feed(hash);
         }
         hash.stream(&self.evolution);
-    }
-}
-
-/// Unit squares of the arena that were visited.
-#[derive(Clone, Debug)]
-pub struct Visited {
-    side: u32,
-    bits: Vec<u64>,
-    /// In the order of the first visit.
-    squares: Vec<u32>,
-}
-
-impl Visited {
-    /// None visited yet; the arena has `side` squares along each side.
-    #[must_use]
-    pub fn new(side: u32) -> Self {
-        Self { side, bits: vec![0; (side * side).div_ceil(64) as usize], squares: Vec::new() }
-    }
-
-    /// Marks the square of a point of the arena `[-side / 2, side / 2]` squared.
-    pub fn mark(&mut self, point: [f64; 2]) {
-        let [column, row] = point.map(|value| ((value + f64::from(self.side) / 2.0) as u32).min(self.side - 1));
-        let square = row * self.side + column;
-        let word = &mut self.bits[(square / 64) as usize];
-        let bit = 1 << (square % 64);
-        if *word & bit == 0 {
-            *word |= bit;
-            self.squares.push(square);
-        }
-    }
-
-    /// How many squares were visited.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.squares.len()
-    }
-
-    /// Forgets all; costs only what was visited.
-    pub fn clear(&mut self) {
-        for square in self.squares.drain(..) {
-            self.bits[(square / 64) as usize] = 0;
-        }
-    }
-
-    /// Bytes on the heap.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        self.bits.len() * 8 + self.squares.capacity() * 4
     }
 }
 

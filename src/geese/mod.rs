@@ -23,6 +23,7 @@ mod params;
 mod program;
 mod schema;
 mod variety;
+mod visited;
 mod world;
 
 pub use derive::{Derived, DerivedStep};
@@ -33,8 +34,8 @@ pub use inspect::{Detail, Query};
 pub use language::LanguageError;
 pub use leaf::{Leaf, Name, Object, Tag, Takes};
 pub use params::{
-    Behaviours, CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, ItemPlacement, MovesPerStep,
-    MutationMode, Params, ParentSelection, StorageContent, SwapRule, Task,
+    Activation, Behaviours, CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, ItemPlacement,
+    MovesPerStep, MutationMode, Params, ParentSelection, StartPositions, StorageContent, SwapRule, Task,
 };
 pub use program::{Compiler, CompilerError, Survey, program_text};
 pub use schema::PARAMETERS;

@@ -25,6 +25,8 @@ pub struct Params {
     pub traps: u32,
     pub trap_radius: f64,
     pub success_threshold: f64,
+    pub start_positions: StartPositions,
+    pub activation: Activation,
     pub behaviours: Behaviours,
     pub step_length: f64,
     pub moves_per_step: MovesPerStep,
@@ -79,6 +81,26 @@ pub enum ItemPlacement {
     Scattered,
     /// All on its centre.
     Stacked,
+}
+
+/// Where agents start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StartPositions {
+    /// At the centre of the hub.
+    Hub,
+    /// Anywhere in the arena.
+    Uniform,
+}
+
+/// The order in which agents act within a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Activation {
+    /// Shuffled anew for each step.
+    Shuffled,
+    /// By number.
+    Index,
 }
 
 /// How the primitive behaviours are built.
@@ -216,6 +238,8 @@ impl Default for Params {
             traps: 0,
             trap_radius: 5.0,
             success_threshold: 0.8,
+            start_positions: StartPositions::Hub,
+            activation: Activation::Shuffled,
             behaviours: Behaviours::Ppa,
             step_length: 2.0,
             moves_per_step: MovesPerStep::One,
@@ -288,6 +312,10 @@ impl Params {
             "obstacle-radius" => value.as_f64().is_some_and(|real| put(&mut self.obstacle_radius, real)),
             "traps" => put_whole(&mut self.traps, value),
             "trap-radius" => value.as_f64().is_some_and(|real| put(&mut self.trap_radius, real)),
+            "start-positions" => {
+                put_word(&mut self.start_positions, &[StartPositions::Hub, StartPositions::Uniform], value)
+            }
+            "activation" => put_word(&mut self.activation, &[Activation::Shuffled, Activation::Index], value),
             "behaviours" => put_word(&mut self.behaviours, &[Behaviours::Ppa, Behaviours::Nominal], value),
             "look-ahead" => value.as_f64().is_some_and(|real| put(&mut self.look_ahead, real)),
             "fitness-diversity" => value.as_bool().is_some_and(|on| put(&mut self.fitness_diversity, on)),

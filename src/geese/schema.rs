@@ -95,7 +95,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "site-distance",
-        kind: real(0.0, 40.0, 200.0, 1.0),
+        kind: real(0.0, 40.0, 1000.0, 1.0),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -105,7 +105,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "hub-radius",
-        kind: real(1.0, 25.0, 200.0, 0.5),
+        kind: real(1.0, 25.0, 1000.0, 0.5),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -115,7 +115,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "site-radius",
-        kind: real(1.0, 25.0, 200.0, 0.5),
+        kind: real(1.0, 25.0, 1000.0, 0.5),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -125,7 +125,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "boundary-radius",
-        kind: real(5.0, 45.0, 200.0, 1.0),
+        kind: real(5.0, 45.0, 1000.0, 1.0),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -175,7 +175,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "arena-size",
-        kind: int(20, 200, 400),
+        kind: int(20, 200, 2000),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -192,6 +192,26 @@ pub const PARAMETERS: &[Parameter] = &[
         label: "Primitive behaviours",
         help: "PPA behaviours stop when their goal is reached and walk around obstacles; nominal ones do neither.",
         source: "BeTr-GEESE, section 4.4, Figure 1",
+    },
+    Parameter {
+        name: "start-positions",
+        kind: Kind::Choice(&[("hub", "At the hub"), ("uniform", "Anywhere")]),
+        unit: "",
+        apply: Apply::Restart,
+        group: ROBOTS,
+        label: "Robots start",
+        help: "At the centre of the hub, or anywhere in the arena.",
+        source: "BeTr-GEESE, appendix B (agents originate in a hub); anywhere in the authors' code",
+    },
+    Parameter {
+        name: "activation",
+        kind: Kind::Choice(&[("shuffled", "In an order shuffled each step"), ("index", "Always in the same order")]),
+        unit: "",
+        apply: Apply::Live,
+        group: ROBOTS,
+        label: "Order of acting",
+        help: "Who acts first in a step.",
+        source: "our choice: the paper calls the updates independent; the authors' code keeps one order",
     },
     Parameter {
         name: "step-length",

@@ -3,10 +3,11 @@
 use super::body::{Actor, Body};
 use super::breeding::{Best, Breeder, Source};
 use super::field::Field;
-use super::mind::{Feedback, Mind, Program, Storage, Visited};
+use super::mind::{Feedback, Mind, Program, Storage};
 use super::near::Near;
-use super::params::{Params, StorageContent, SwapRule, Task};
+use super::params::{Activation, Params, StorageContent, SwapRule, Task};
 use super::program::{Compiler, placeholder};
+use super::visited::Visited;
 use crate::bt::{Memory, tick_once};
 use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
@@ -197,9 +198,14 @@ impl World {
         let Self { params, breeder, near, state } = self;
         state.tick += 1;
         state.swaps = 0;
-        for last in (1..state.order.len() as u32).rev() {
-            let other = state.activation.random_range(0..=last);
-            state.order.swap(last as usize, other as usize);
+        match params.activation {
+            Activation::Index => state.order.sort_unstable(),
+            Activation::Shuffled => {
+                for last in (1..state.order.len() as u32).rev() {
+                    let other = state.activation.random_range(0..=last);
+                    state.order.swap(last as usize, other as usize);
+                }
+            }
         }
         for turn in 0..state.order.len() {
             let agent = state.order[turn];

@@ -30,6 +30,7 @@
  * @property {Block} items
  * @property {string[]} actions names by number, 0 is none
  * @property {{ half: number }} arena
+ * @property {'food' | 'debris'} item what is carried
  * @property {{ kind: string, x: number, y: number, radius: number }[]} places
  *
  * @typedef {object} TreeNode a node in preorder; the index is the id

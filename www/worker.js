@@ -1,7 +1,7 @@
 // Owns the engine and never runs by itself: it answers requests, one at a time, in order.
 // The handler is set before wasm is initialised, or the first request would be lost.
 
-import init, { World, complete, schema, version } from './engine/swarm_playground.js';
+import init, { World, complete, rules, schema, version } from './engine/swarm_playground.js';
 
 /** @typedef {{ id: number, type: string } & Record<string, any>} Request */
 
@@ -107,6 +107,7 @@ const ANSWERS = {
   },
 
   inspect: ({ query }) => [{ type: 'detail', detail: JSON.parse(running().inspect(JSON.stringify(query))) }],
+  rules: ({ grammar, task }) => [{ type: 'rules', rules: rules(grammar, task) }],
   export: ({ query }) => [{ type: 'exported', xml: running().export(JSON.stringify(query)) ?? null }],
   derive: ({ codons }) => [{ type: 'derived', derived: JSON.parse(running().derive(JSON.stringify(codons))) }],
   history: ({ from }) => [{ type: 'history', history: JSON.parse(running().history(from)) }],

@@ -1,7 +1,9 @@
 //! The worlds. Frames cross as a flat buffer of `f32` in wasm memory, of which the page makes a view after each call.
 
 use super::{answer, error};
-use crate::geese::{Derived, Detail, Layout, Query, SAMPLE_EVERY, World as Geese, export_query, fill_frame};
+use crate::geese::{
+    Derived, Detail, Layout, Query, SAMPLE_EVERY, Task, World as Geese, export_query, fill_frame, grammar_text,
+};
 use crate::scenario::{Run, Scenario, Timeline, schema as parameters};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
@@ -23,6 +25,15 @@ pub fn schema() -> String {
 #[wasm_bindgen]
 pub fn complete(scenario: &str) -> Result<String, JsError> {
     Ok(Scenario::read(scenario).map_err(|fault| error(&fault))?.to_value().to_string())
+}
+
+/// The rules that a scenario's grammar stands for: those of the task (`forage` or `nest`) for `ppa` and `nominal`,
+/// otherwise the text itself.
+#[wasm_bindgen]
+#[must_use]
+pub fn rules(grammar: &str, task: &str) -> String {
+    let task = if task == "nest" { Task::Nest } else { Task::Forage };
+    grammar_text(grammar, task).into_owned()
 }
 
 /// A world on its way through a scenario, with its keyframes.

@@ -1,4 +1,4 @@
-const NAMES = /** @type {const} */ (['ground', 'ink', 'secondary', 'hairline', 'accent', 'robot', 'load', 'food', 'running', 'selection']);
+const NAMES = /** @type {const} */ (['ground', 'ink', 'secondary', 'hairline', 'accent', 'robot', 'load', 'food', 'debris', 'running', 'selection']);
 
 /** @typedef {Record<typeof NAMES[number], string> & { font: string }} Theme */
 

@@ -42,7 +42,7 @@ export function drawWorld(context, view, theme) {
   context.clearRect(0, 0, size, size);
   drawArena(context, view, theme, scale, left, top);
   if (view.layers.trails) drawTrails(context, view, theme, scale, left, top);
-  if (view.layers.food) drawFood(context, view, theme, scale, left, top);
+  if (view.layers.food) drawItems(context, view, theme, scale, left, top);
   if (view.layers.robots) drawRobots(context, view, theme, scale, left, top);
 }
 
@@ -70,22 +70,53 @@ function drawArena(context, { layout, layers, frame, at }, theme, scale, left, t
     const x = left + place.x * scale;
     const y = top - place.y * scale;
     const radius = place.radius * scale;
-    context.beginPath();
-    context.arc(x, y, radius, 0, TAU);
-    context.setLineDash(place.kind === 'site' ? DASHED : SOLID);
-    context.strokeStyle = theme.secondary;
-    context.lineWidth = place.kind === 'hub' ? 1.5 : 1;
-    context.stroke();
-    context.setLineDash(SOLID);
-    if (place.kind !== 'hub' || !layers.delivered) continue;
+    drawPlace(context, theme, place.kind, x, y, radius);
+    if (place.kind !== sinkOf(layout) || !layers.delivered) continue;
     const share = frame[at.total] > 0 ? frame[at.delivered] / frame[at.total] : 0;
     if (share === 0) continue;
     context.beginPath();
     context.arc(x, y, radius + 4, -TAU / 4, -TAU / 4 + TAU * share);
-    context.strokeStyle = theme.food;
+    context.strokeStyle = itemColour(layout, theme);
     context.lineWidth = 4;
     context.stroke();
   }
+}
+
+/** The kind of place where items belong. @param {Layout} layout */
+export const sinkOf = (layout) => (layout.item === 'debris' ? 'boundary' : 'hub');
+
+/** @param {Layout} layout @param {Theme} theme */
+const itemColour = (layout, theme) => (layout.item === 'debris' ? theme.debris : theme.food);
+
+/**
+ * A place by its outline: sites and the boundary dashed, obstacles filled, traps crossed out.
+ *
+ * @param {CanvasRenderingContext2D} context
+ * @param {Theme} theme
+ * @param {string} kind
+ * @param {number} x
+ * @param {number} y
+ * @param {number} radius pixels
+ */
+function drawPlace(context, theme, kind, x, y, radius) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, TAU);
+  if (kind === 'obstacle') {
+    context.fillStyle = theme.hairline;
+    context.fill();
+  }
+  if (kind === 'trap') {
+    const reach = radius * Math.SQRT1_2;
+    context.moveTo(x - reach, y - reach);
+    context.lineTo(x + reach, y + reach);
+    context.moveTo(x - reach, y + reach);
+    context.lineTo(x + reach, y - reach);
+  }
+  context.setLineDash(kind === 'site' || kind === 'boundary' ? DASHED : SOLID);
+  context.strokeStyle = theme.secondary;
+  context.lineWidth = kind === 'hub' || kind === 'trap' ? 1.5 : 1;
+  context.stroke();
+  context.setLineDash(SOLID);
 }
 
 /** @type {number[]} */
@@ -93,15 +124,19 @@ const SOLID = [];
 const DASHED = [4, 4];
 
 /** @type {Layer} */
-function drawFood(context, { frame, at }, theme, scale, left, top) {
+function drawItems(context, { frame, at, layout }, theme, scale, left, top) {
   const side = Math.max(3.5, 0.8 * scale);
-  context.fillStyle = theme.food;
+  const outlined = layout.item === 'debris'; // purple alone is too pale on a light ground
+  context.fillStyle = itemColour(layout, theme);
+  context.strokeStyle = theme.ink;
+  context.lineWidth = 0.75;
   for (let item = 0; item < at.items; item += 1) {
     const base = at.itemStart + item * at.itemStride;
     if (frame[base + at.itemState] !== 0) continue;
     const x = left + frame[base + at.itemX] * scale;
     const y = top - frame[base + at.itemY] * scale;
     context.fillRect(x - side / 2, y - side / 2, side, side);
+    if (outlined) context.strokeRect(x - side / 2, y - side / 2, side, side);
   }
 }
 
@@ -178,6 +213,9 @@ function drawLoad(context, theme, x, y, radius) {
   context.stroke();
 }
 
+/** Places with a name beside them; obstacles and traps show what they are. */
+export const NAMED = new Set(['hub', 'site', 'boundary']);
+
 /**
  * Names of the places, for pictures that leave the page; on the page they are SVG over the canvas.
  *
@@ -192,7 +230,7 @@ export function drawNames(context, view, theme, caption) {
   context.font = `13px ${theme.font}`;
   context.fillStyle = theme.ink;
   context.textAlign = 'center';
-  for (const { kind, x, y, radius } of layout.places) {
+  for (const { kind, x, y, radius } of layout.places.filter((place) => NAMED.has(place.kind))) {
     context.fillText(kind.charAt(0).toUpperCase() + kind.slice(1), size / 2 + (x - camera.x) * scale, size / 2 - (y + radius - camera.y) * scale - 10);
   }
   context.textAlign = 'start';

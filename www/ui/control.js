@@ -11,7 +11,12 @@ import { createTextControl } from './textcontrol.js';
  * @property {(value: Value, original: Value, waits: boolean) => void} show what stands on screen, what the preset says, whether a restart is needed
  */
 
-/** @typedef {{ change: (parameter: Parameter, value: Value) => void, check: (parameter: Parameter, value: Value) => Promise<string> }} Wiring */
+/**
+ * @typedef {object} Wiring
+ * @property {(parameter: Parameter, value: Value) => void} change
+ * @property {(parameter: Parameter, value: Value) => Promise<string>} check what is wrong with a text; empty when nothing
+ * @property {(parameter: Parameter, value: Value) => Promise<string>} inFull the text that a name such as `ppa` stands for
+ */
 
 /**
  * A control made from one entry of the schema: label, field, what it does, what changed.

@@ -23,7 +23,7 @@ export const text = {
     region: 'World',
     label: 'The arena. Arrow keys choose the nearest robot in that direction, Home and End the first and the last.',
     place: (/** @type {string} */ kind) => kind.charAt(0).toUpperCase() + kind.slice(1),
-    hub: (/** @type {number} */ delivered, /** @type {number} */ total) => `Hub ${delivered} / ${total}`,
+    sink: (/** @type {string} */ kind, /** @type {number} */ delivered, /** @type {number} */ total) => `${text.world.place(kind)} ${delivered} / ${total}`,
     robot: (/** @type {number} */ id) => `Robot ${id}`,
     zoom: 'Zoom',
     zoomIn: 'Zoom in',
@@ -31,12 +31,13 @@ export const text = {
     zoomFit: 'Whole arena',
     layers: 'Layers',
     table: 'Table',
-    /** @param {number} tick @param {number} carried @param {number} robots @param {number} delivered @param {number} total */
-    summary: (tick, carried, robots, delivered, total) => `Tick ${tick}. ${carried} of ${plural(robots, 'robot')} carry food. Delivered ${delivered} of ${total}.`,
+    /** @param {number} tick @param {string} item @param {number} carried @param {number} robots @param {number} delivered @param {number} total */
+    summary: (tick, item, carried, robots, delivered, total) => `Tick ${tick}. ${carried} of ${plural(robots, 'robot')} carry ${item}. Delivered ${delivered} of ${total}.`,
   },
   layers: { robots: 'Robots', food: 'Food', carried: 'Carried', delivered: 'Delivered', trails: 'Trails' },
+  items: /** @type {Record<string, string>} */ ({ food: 'Food', debris: 'Debris' }),
   table: {
-    columns: ['Robot', 'x', 'y', 'Carries food', 'Last action'],
+    columns: ['Robot', 'x', 'y', 'Carries', 'Last action'],
     caption: (/** @type {number} */ tick) => `Robots at tick ${tick}`,
   },
 
@@ -174,7 +175,7 @@ export const text = {
     formula: 'Each tick A becomes βA + D + E + B; β is the fitness memory',
     alive: 'working',
     dead: 'out of order',
-    loaded: 'one food item',
+    loaded: 'one item',
     unloaded: 'nothing',
     ticks: (/** @type {number} */ ticks) => plural(ticks, 'tick'),
     stored: (/** @type {number} */ count) => (count === 0 ? 'No genomes stored yet' : plural(count, 'stored genome')),
@@ -199,7 +200,7 @@ export const text = {
     invalid: (/** @type {string} */ reason) => `No tree: ${reason}.`,
   },
   charts: {
-    food: 'Food',
+    food: 'Items',
     trees: 'Distinct trees',
     tick: 'tick',
     delivered: 'delivered',

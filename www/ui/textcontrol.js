@@ -15,12 +15,14 @@ import { recall, remember } from './storage.js';
  * @param {(message: string) => void} say
  * @returns {Field}
  */
-export function createTextControl(parameter, id, { change, check }, say) {
+export function createTextControl(parameter, id, { change, check, inFull }, say) {
   const area = h('textarea', { id, rows: 12, wrap: 'off', spellcheck: 'false', autocapitalize: 'off', 'aria-describedby': `${id}-error` });
   const gutter = h('ol', { class: 'gutter', 'aria-hidden': 'true' });
   const mark = h('div', { class: 'line-mark', hidden: true });
   const draft = `draft.${parameter.key}`;
   let shown = '';
+  /** @type {import('../types.js').Value} the value that is shown, perhaps in full */
+  let stated = '';
 
   const apply = button(text.controls.apply, () => void applyText());
   const restore = button(text.controls.restoreDraft, () => {
@@ -36,6 +38,7 @@ export function createTextControl(parameter, id, { change, check }, say) {
     showProblem(problem);
     if (problem) return;
     shown = value;
+    stated = value;
     remember(draft, null);
     change(parameter, value);
   }
@@ -99,9 +102,11 @@ export function createTextControl(parameter, id, { change, check }, say) {
     label: h('label', { for: id }, parameter.label),
     aside: h('span'),
     body,
-    show(value) {
-      if (value === shown && area.value !== '') return; // what is being typed stays
-      shown = String(value);
+    async show(value) {
+      const full = await inFull(parameter, value);
+      if (value === stated && full === shown && area.value !== '') return; // what is being typed stays
+      stated = value;
+      shown = full;
       area.value = shown;
       number();
       showProblemGone();

@@ -19,7 +19,7 @@ export function createControls({ pane, engine, run, session }) {
   const about = h('p', { class: 'preset-about' });
   preset.addEventListener('change', () => void session.choosePreset(preset.value));
 
-  const wiring = { change: (/** @type {Parameter} */ parameter, /** @type {Value} */ value) => void session.change(parameter, value), check };
+  const wiring = { change: (/** @type {Parameter} */ parameter, /** @type {Value} */ value) => void session.change(parameter, value), check, inFull };
   const parameters = session.schema.filter((parameter) => parameter.type !== 'seed');
   const controls = parameters.map((parameter) => ({ parameter, control: createControl(parameter, wiring) }));
   const groups = [...new Set(parameters.map((parameter) => parameter.group))].map((group, index) => {
@@ -54,6 +54,13 @@ export function createControls({ pane, engine, run, session }) {
     } catch (error) {
       return messageOf(error);
     }
+  }
+
+  /** The built-in rules of a grammar's name; they depend on the task. @param {Parameter} parameter @param {Value} value */
+  async function inFull(parameter, value) {
+    if (parameter.key !== 'geese.grammar') return String(value);
+    const answer = await engine.request('rules', { grammar: value, task: session.value('geese.task') });
+    return answer.rules;
   }
 
   function show() {

@@ -18,13 +18,14 @@ export function createLegend({ pane, run, state, selection, world }) {
   const { view } = world;
   const layers = /** @type {(keyof typeof view.layers)[]} */ (['robots', 'food', 'carried', 'delivered', 'trails']);
   const counts = new Map(layers.map((layer) => [layer, h('output', {})]));
+  const names = new Map(layers.map((layer) => [layer, h('span', {}, text.layers[layer])]));
   const rows = layers.map((layer) => {
     const box = h('input', { type: 'checkbox', checked: view.layers[layer] });
     box.addEventListener('change', () => {
       view.layers[layer] = box.checked;
       world.invalidate();
     });
-    return h('label', { class: 'layer', 'data-layer': layer }, box, h('i', { class: 'swatch', 'aria-hidden': 'true' }), text.layers[layer], ' ', counts.get(layer) ?? '');
+    return h('label', { class: 'layer', 'data-layer': layer }, box, h('i', { class: 'swatch', 'aria-hidden': 'true' }), names.get(layer) ?? '', ' ', counts.get(layer) ?? '');
   });
   const table = createAgentTable(run, selection, world);
   const tableSwitch = h('button', { type: 'button', class: 'quiet', 'aria-pressed': 'false' }, text.world.table);
@@ -50,10 +51,15 @@ export function createLegend({ pane, run, state, selection, world }) {
     const now = performance.now();
     if (state.name === 'running' && now - summarised < SUMMARY_EVERY_MS) return;
     summarised = now;
-    write(summary, text.world.summary(run.tick, frame[at.carried], at.agents, frame[at.delivered], frame[at.total]));
+    write(summary, text.world.summary(run.tick, view.layout.item, frame[at.carried], at.agents, frame[at.delivered], frame[at.total]));
   }
 
-  run.on('loaded', count);
+  run.on('loaded', () => {
+    const item = run.layout?.item ?? 'food';
+    pane.dataset.item = item;
+    write(/** @type {Element} */ (names.get('food')), text.items[item]);
+    count();
+  });
   run.on('settled', count);
   run.on('frame', count);
 }

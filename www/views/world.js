@@ -2,7 +2,7 @@ import { button, h, s, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { locate } from '../draw/frame.js';
 import { createTrail } from '../draw/trail.js';
-import { drawWorld, markRadius, scaleOf } from '../draw/world.js';
+import { NAMED, drawWorld, markRadius, scaleOf, sinkOf } from '../draw/world.js';
 import { bindPicking } from './picking.js';
 
 /** @import { Run } from '../run.js' */
@@ -95,7 +95,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
     const delivered = frame[at.delivered];
     layout.places.forEach((place, index) => {
       const label = places.children[index];
-      if (place.kind === 'hub' && delivered !== deliveredShown) write(label, text.world.hub(delivered, frame[at.total]));
+      if (place.kind === sinkOf(layout) && delivered !== deliveredShown) write(label, text.world.sink(place.kind, delivered, frame[at.total]));
       label.setAttribute('x', String(size / 2 + (place.x - camera.x) * scale));
       label.setAttribute('y', String(size / 2 - (place.y + place.radius - camera.y) * scale - 10));
     });
@@ -154,7 +154,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
     view.ringed = new Uint8Array(view.at.agents);
     ready = view;
     deliveredShown = -1;
-    places.replaceChildren(...run.layout.places.map((place) => s('text', { 'text-anchor': 'middle' }, text.world.place(place.kind))));
+    places.replaceChildren(...run.layout.places.map((place) => s('text', { 'text-anchor': 'middle' }, NAMED.has(place.kind) ? text.world.place(place.kind) : '')));
     if (selection.agent !== null && selection.agent >= view.at.agents) selection.selectAgent(null);
     invalidate();
   });

@@ -73,7 +73,7 @@ wasm_pack_build = CARGO_PROFILE_RELEASE_OPT_LEVEL=s \
   --out-dir $(2) --out-name swarm_playground --no-pack $(3) -- --no-default-features --features $(1)
 
 # Folders are among the sources: they change when a file is removed.
-engine_sources := Cargo.toml Cargo.lock $(shell find src scenarios)
+engine_sources := Makefile Cargo.toml Cargo.lock $(shell find src scenarios)
 
 www/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
 	@echo 'Building the engine'

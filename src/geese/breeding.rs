@@ -87,6 +87,13 @@ impl Breeder {
         stored: &[Entry],
         minds: &[Mind],
     ) -> Option<Best<'_>> {
+        if params.genome_selection == GenomeSelection::Fresh {
+            let mut genome = std::mem::take(&mut self.best);
+            let survey = self.genesis(params, rng, &mut genome);
+            self.best = genome;
+            let diversity = survey.map(|survey| self.compiler.diversity(survey.names));
+            return diversity.map(|diversity| Best { genome: &self.best, diversity });
+        }
         let Self { compiler, mutation, pool, fitness, sorted, parents, children, best } = self;
         let genome_of = |index: u32| match pool.get(index as usize) {
             Some(&Source::Stored(at)) => &stored[at as usize].genome,
@@ -121,7 +128,7 @@ impl Breeder {
         // No later child can be better than the greatest, and the first of equal ones is taken: the rest need no look.
         let is_decided = |found: Option<f64>| match params.genome_selection {
             GenomeSelection::Diversity => found.is_some_and(|best| best >= greatest),
-            GenomeSelection::Random => found.is_some(),
+            GenomeSelection::Random | GenomeSelection::Fresh => found.is_some(),
         };
         let mut bred = 0;
         while bred < params.children && !is_decided(found) {

@@ -20,6 +20,7 @@ mod leaf;
 mod mind;
 mod near;
 mod params;
+mod population;
 mod program;
 mod schema;
 mod variety;
@@ -35,8 +36,10 @@ pub use language::LanguageError;
 pub use leaf::{Leaf, Name, Object, Tag, Takes};
 pub use params::{
     Activation, Behaviours, CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, ItemPlacement,
-    MovesPerStep, MutationMode, Params, ParentSelection, StartPositions, StorageContent, SwapRule, Task,
+    MovesPerStep, MutationMode, Params, ParentSelection, PopulationForm, StartPositions, StorageContent, SwapRule,
+    Task,
 };
+pub use population::{Dealt, Member, Population};
 pub use program::{Compiler, CompilerError, Survey, program_text};
 pub use schema::PARAMETERS;
 pub use world::{Finished, Outcome, SAMPLE_EVERY, Sample, State, World};

@@ -36,6 +36,10 @@ pub struct Params {
     pub turn_deviation: f64,
     pub drop_rule: DropRule,
     pub is_dropable: IsDropable,
+    pub evolution: bool,
+    pub population_form: PopulationForm,
+    pub population_share: f64,
+    pub population: String,
     pub genome_length: u16,
     pub codon_max: u16,
     pub max_depth: u32,
@@ -183,6 +187,22 @@ pub enum GenomeSelection {
     Diversity,
     /// The first that maps to a program: no selection.
     Random,
+    /// No child: a random genome, as at the start.
+    Fresh,
+}
+
+/// How the programs of a saved population are dealt out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PopulationForm {
+    /// Each agent gets one, in the order saved.
+    AsSaved,
+    /// All get the fittest.
+    Homogeneous,
+    /// The fittest are dealt out in turns.
+    Heterogeneous,
+    /// Each agent gets all of the fittest under one root.
+    Blended,
 }
 
 /// Where two parents are cut.
@@ -249,6 +269,10 @@ impl Default for Params {
             turn_deviation: 0.1,
             drop_rule: DropRule::Anywhere,
             is_dropable: IsDropable::Always,
+            evolution: true,
+            population_form: PopulationForm::AsSaved,
+            population_share: 0.5,
+            population: String::new(),
             genome_length: 100,
             codon_max: 255,
             max_depth: 10,
@@ -326,6 +350,19 @@ impl Params {
             "is-dropable" => {
                 put_word(&mut self.is_dropable, &[IsDropable::Always, IsDropable::Kind, IsDropable::Standing], value)
             }
+            "evolution" => value.as_bool().is_some_and(|on| put(&mut self.evolution, on)),
+            "population-form" => put_word(
+                &mut self.population_form,
+                &[
+                    PopulationForm::AsSaved,
+                    PopulationForm::Homogeneous,
+                    PopulationForm::Heterogeneous,
+                    PopulationForm::Blended,
+                ],
+                value,
+            ),
+            "population-share" => value.as_f64().is_some_and(|real| put(&mut self.population_share, real)),
+            "population" => value.as_str().is_some_and(|text| put(&mut self.population, text.to_owned())),
             "genome-length" => put_whole(&mut self.genome_length, value),
             "codon-max" => put_whole(&mut self.codon_max, value),
             "max-depth" => put_whole(&mut self.max_depth, value),
@@ -345,9 +382,11 @@ impl Params {
             "tournament-size" => put_whole(&mut self.tournament_size, value),
             "elite-size" => put_whole(&mut self.elite_size, value),
             "children" => put_whole(&mut self.children, value),
-            "genome-selection" => {
-                put_word(&mut self.genome_selection, &[GenomeSelection::Diversity, GenomeSelection::Random], value)
-            }
+            "genome-selection" => put_word(
+                &mut self.genome_selection,
+                &[GenomeSelection::Diversity, GenomeSelection::Random, GenomeSelection::Fresh],
+                value,
+            ),
             "crossover-mode" => put_word(
                 &mut self.crossover_mode,
                 &[CrossoverMode::VariableOnePoint, CrossoverMode::FixedOnePoint],

@@ -249,6 +249,7 @@ pub fn program_text(tree: &Tree<Leaf>) -> String {
             }
             Kind::Sequence => "Seq[",
             Kind::Fallback => "Sel[",
+            Kind::ForceSuccess => "ForceSuccess[",
             other => other.name(),
         };
         text.push_str(open);
@@ -271,7 +272,8 @@ pub fn program_id(tree: &Tree<Leaf>) -> u64 {
         let kind = match &node.kind {
             Kind::Leaf(leaf) => 1 << 32 | leaf.number(),
             Kind::Sequence => 2 << 32,
-            _ => 3 << 32,
+            Kind::Fallback => 3 << 32,
+            _ => 4 << 32,
         };
         hash.u64(kind | u64::from(node.end) << 40);
     }

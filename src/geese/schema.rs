@@ -10,6 +10,7 @@ use crate::parameter::{Apply, Kind, Parameter, number};
 const WORLD: &str = "World";
 const ROBOTS: &str = "Robots";
 const EVOLUTION: &str = "Evolution";
+const POPULATION: &str = "Population";
 const GENOME: &str = "Genome and grammar";
 const TABLE_1: &str = "BeTr-GEESE, Table 1";
 
@@ -379,12 +380,16 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "genome-selection",
-        kind: Kind::Choice(&[("diversity", "The most diverse"), ("random", "Any that works")]),
+        kind: Kind::Choice(&[
+            ("diversity", "The most diverse"),
+            ("random", "Any that works"),
+            ("fresh", "None: a random program"),
+        ]),
         unit: "",
         apply: Apply::Live,
         group: EVOLUTION,
         label: "Choice of child",
-        help: "Which child may become the robot's program. Any that works shows what selection adds.",
+        help: "Which child may become the robot's program. Any that works shows what selection adds; a random program in its place shows what changing programs alone does.",
         source: TABLE_1,
     },
     Parameter {
@@ -499,6 +504,51 @@ pub const PARAMETERS: &[Parameter] = &[
         label: "Fitness memory",
         help: "How much of the fitness so far stays in each step: the blend factor beta.",
         source: "BeTr-GEESE, section 4.6",
+    },
+    Parameter {
+        name: "evolution",
+        kind: Kind::Bool,
+        unit: "",
+        apply: Apply::Live,
+        group: POPULATION,
+        label: "Robots evolve",
+        help: "When off, nobody meets anybody: every robot keeps the program it has.",
+        source: "BeTr-GEESE, section 5 (fixed programs)",
+    },
+    Parameter {
+        name: "population-form",
+        kind: Kind::Choice(&[
+            ("as-saved", "As it was saved"),
+            ("homogeneous", "Copies of the fittest"),
+            ("heterogeneous", "The fittest, each its own"),
+            ("blended", "The fittest, all in each robot"),
+        ]),
+        unit: "",
+        apply: Apply::Restart,
+        group: POPULATION,
+        label: "Saved programs become",
+        help: "How the programs of a saved population are dealt out. It needs a population.",
+        source: "BeTr-GEESE, section 5",
+    },
+    Parameter {
+        name: "population-share",
+        kind: real(0.01, 1.0, 1.0, 0.01),
+        unit: "",
+        apply: Apply::Restart,
+        group: POPULATION,
+        label: "The fittest",
+        help: "The share of the saved population that takes part.",
+        source: "BeTr-GEESE, sections 5.2 and 5.3 (top n %)",
+    },
+    Parameter {
+        name: "population",
+        kind: Kind::Text(8_000_000),
+        unit: "",
+        apply: Apply::Restart,
+        group: POPULATION,
+        label: "Saved population",
+        help: "The programs to start with, as a population file; empty for random ones.",
+        source: "BeTr-GEESE, section 5",
     },
     Parameter {
         name: "genome-length",

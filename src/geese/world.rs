@@ -6,6 +6,7 @@ use super::field::Field;
 use super::mind::{Feedback, Mind, Program, Storage};
 use super::near::Near;
 use super::params::{Activation, Params, StorageContent, SwapRule, Task};
+use super::population::{Dealt, Population};
 use super::program::{Compiler, placeholder};
 use super::visited::Visited;
 use crate::bt::{Memory, tick_once};
@@ -114,11 +115,18 @@ impl World {
         let field = Field::new(params, seed)?;
         let agents = 0..params.agents;
         let bodies = agents.clone().map(|id| Body::new(stream(seed, Purpose::Walk, id))).collect();
+        let mut dealt = Vec::new();
+        if !params.population.trim().is_empty() {
+            let population = Population::read(&params.population);
+            let deal = population.and_then(|population| population.deal(params, seed, &mut breeder.compiler));
+            dealt = deal.map_err(|message| ("population", message))?;
+        }
+        let mut dealt = dealt.into_iter();
         let minds = agents
             .map(|id| {
                 let genesis = stream(seed, Purpose::Genesis, id);
                 let evolution = stream(seed, Purpose::Evolution, id);
-                new_mind(&mut breeder, params, genesis, evolution).ok_or_else(|| {
+                new_mind(&mut breeder, params, genesis, evolution, dealt.next()).ok_or_else(|| {
                     let message = "expected a grammar of which random genomes give programs, \
                                    found one that gave none in 100,000 draws (try a greater max-depth)";
                     ("grammar", message.to_owned())
@@ -213,10 +221,10 @@ impl World {
                 continue;
             }
             state.tick_program(params, agent);
-            if state.bodies[agent as usize].alive {
-                state.meet(params, breeder, near, agent);
-            } else {
+            if !state.bodies[agent as usize].alive {
                 state.alive -= 1;
+            } else if params.evolution {
+                state.meet(params, breeder, near, agent);
             }
         }
         state.swaps_since_sample += state.swaps;
@@ -243,11 +251,25 @@ impl World {
     }
 }
 
-fn new_mind(breeder: &mut Breeder, params: &Params, mut genesis: Stream, evolution: Stream) -> Option<Mind> {
+/// A mind with a random program, or with one of a saved population.
+fn new_mind(
+    breeder: &mut Breeder,
+    params: &Params,
+    mut genesis: Stream,
+    evolution: Stream,
+    dealt: Option<Dealt>,
+) -> Option<Mind> {
     let mut genome = Genome::default();
-    let survey = breeder.genesis(params, &mut genesis, &mut genome)?;
     let mut program = Program { tree: placeholder(), memory: Memory::default(), trace: Vec::new(), id: 0 };
-    breeder.compiler.compile(&genome.codons, &mut program.tree).ok()?;
+    let survey = if let Some(dealt) = dealt {
+        genome.codons = dealt.codons;
+        program.tree = dealt.tree;
+        breeder.compiler.survey(&mut genome, None)?
+    } else {
+        let survey = breeder.genesis(params, &mut genesis, &mut genome)?;
+        breeder.compiler.compile(&genome.codons, &mut program.tree).ok()?;
+        survey
+    };
     program.renew();
     Some(Mind {
         genome,

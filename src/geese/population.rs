@@ -1,0 +1,182 @@
+//! Evolved populations: saved with their fitness, and dealt out again to agents that evolve on or stay as they are.
+
+use super::leaf::Leaf;
+use super::params::{Params, PopulationForm};
+use super::program::{Compiler, placeholder};
+use super::world::World;
+use crate::bt::{Builder, Kind, NodeId, Tree};
+use crate::random::{Purpose, Seed, stream};
+use rand::RngExt;
+use serde_json::{Value, json};
+
+/// What a population file says it is.
+const FORMAT: &str = "geese-population/1";
+const MOST_MEMBERS: usize = 10_000;
+
+/// The controllers of a swarm at one moment.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Population {
+    /// In the order of the agents they come from.
+    pub members: Vec<Member>,
+}
+
+/// One controller.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Member {
+    /// Run-time fitness A, in whole millionths.
+    pub fitness: f64,
+    /// The codons.
+    pub genome: Vec<u16>,
+}
+
+impl Population {
+    /// The population of a world as it stands.
+    #[must_use]
+    pub fn of(world: &World) -> Self {
+        let minds = &world.state().minds;
+        Self {
+            members: minds
+                .iter()
+                .map(|mind| Member { fitness: millionths(mind.fitness), genome: mind.genome.codons.clone() })
+                .collect(),
+        }
+    }
+
+    /// The text of a population file.
+    #[must_use]
+    pub fn write(&self) -> String {
+        let members: Vec<String> = self
+            .members
+            .iter()
+            .map(|member| json!({"fitness": member.fitness, "genome": member.genome}).to_string())
+            .collect();
+        let version = env!("CARGO_PKG_VERSION");
+        let list = members.join(",\n    ");
+        format!(
+            "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": \"{version}\",\n  \"members\": [\n    {list}\n  ]\n}}\n"
+        )
+    }
+
+    /// Reads a population file.
+    ///
+    /// # Errors
+    /// Line and column where the text is no JSON; otherwise the path of the field, what was found and what is allowed.
+    pub fn read(text: &str) -> Result<Self, String> {
+        let value: Value = serde_json::from_str(text).map_err(|fault| format!("expected JSON, found {fault}"))?;
+        if value["format"] != FORMAT {
+            return Err(format!("format: expected \"{FORMAT}\", found {}", value["format"]));
+        }
+        let Some(list) = value["members"].as_array().filter(|list| (1..=MOST_MEMBERS).contains(&list.len())) else {
+            return Err(format!("members: expected a list of 1 to {MOST_MEMBERS} members"));
+        };
+        let members = list.iter().enumerate().map(|(index, member)| {
+            let fitness = member["fitness"].as_f64();
+            let fitness = fitness.ok_or_else(|| format!("members[{index}].fitness: expected a number"))?;
+            let codons =
+                member["genome"].as_array().map(|codons| codons.iter().map(codon).collect::<Option<Vec<u16>>>());
+            let genome = codons
+                .flatten()
+                .ok_or_else(|| format!("members[{index}].genome: expected a list of whole numbers from 0 to 65535"))?;
+            Ok(Member { fitness, genome })
+        });
+        Ok(Self { members: members.collect::<Result<_, String>>()? })
+    }
+
+    /// The members that take part, fittest first; of equally fit ones the earlier first.
+    ///
+    /// Source: BeTr-GEESE, sections 5.1 to 5.3.
+    fn chosen(&self, params: &Params) -> Vec<&Member> {
+        let mut sorted: Vec<&Member> = self.members.iter().collect();
+        sorted.sort_by(|a, b| b.fitness.total_cmp(&a.fitness));
+        let count = match params.population_form {
+            PopulationForm::AsSaved => return self.members.iter().collect(),
+            PopulationForm::Homogeneous => 1,
+            PopulationForm::Heterogeneous | PopulationForm::Blended => {
+                ((sorted.len() as f64 * params.population_share) as usize).max(1)
+            }
+        };
+        sorted.truncate(count);
+        sorted
+    }
+
+    /// The controller of each agent: codons and tree. Members are dealt out in turns; a blended agent has them all
+    /// under one root, each agent in an order of its own.
+    ///
+    /// The paper's root is a Parallel that "loosely acts as a logical or". No leaf here returns RUNNING, so it ticks every
+    /// child once in each step and its status has no effect: a Sequence of children that are forced to succeed.
+    ///
+    /// # Errors
+    /// The member whose genome maps to no program of the compiler's grammar.
+    pub fn deal(&self, params: &Params, seed: Seed, compiler: &mut Compiler) -> Result<Vec<Dealt>, String> {
+        let chosen = self.chosen(params);
+        let mut trees = Vec::with_capacity(chosen.len());
+        for member in &chosen {
+            let mut tree = placeholder();
+            compiler.compile(&member.genome, &mut tree).map_err(|_| {
+                let index = self.members.iter().position(|other| std::ptr::eq(other, *member)).unwrap_or(0);
+                format!("members[{index}].genome: expected codons of a program of the grammar, found none")
+            })?;
+            trees.push(tree);
+        }
+        let agents = 0..params.agents;
+        Ok(match params.population_form {
+            PopulationForm::Blended => agents
+                .map(|agent| {
+                    let mut order: Vec<usize> = (0..trees.len()).collect();
+                    let mut rng = stream(seed, Purpose::Genesis, agent);
+                    for last in (1..order.len() as u32).rev() {
+                        order.swap(last as usize, rng.random_range(0..=last) as usize);
+                    }
+                    Dealt {
+                        codons: chosen[order[0]].genome.clone(),
+                        tree: blend(order.iter().map(|&index| &trees[index])),
+                    }
+                })
+                .collect(),
+            _ => agents
+                .map(|agent| {
+                    let index = agent as usize % chosen.len();
+                    Dealt { codons: chosen[index].genome.clone(), tree: trees[index].clone() }
+                })
+                .collect(),
+        })
+    }
+}
+
+/// The controller of one agent.
+#[derive(Clone, Debug)]
+pub struct Dealt {
+    /// The codons; of a blended agent those of its first tree.
+    pub codons: Vec<u16>,
+    /// The program.
+    pub tree: Tree<Leaf>,
+}
+
+fn blend<'a>(trees: impl Iterator<Item = &'a Tree<Leaf>>) -> Tree<Leaf> {
+    let mut builder = Builder::default();
+    builder.open(Kind::Sequence);
+    for tree in trees {
+        builder.open(Kind::ForceSuccess);
+        graft(tree, NodeId(0), &mut builder);
+        builder.close();
+    }
+    builder.close();
+    builder.finish().unwrap_or_else(|_| placeholder())
+}
+
+fn graft(tree: &Tree<Leaf>, node: NodeId, builder: &mut Builder<Leaf>) {
+    builder.open(tree.nodes()[node.index()].kind.clone());
+    for child in tree.children(node) {
+        graft(tree, child, builder);
+    }
+    builder.close();
+}
+
+/// Rounded, so that the text that is written is read as the same number.
+fn millionths(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+fn codon(value: &Value) -> Option<u16> {
+    value.as_u64().and_then(|codon| u16::try_from(codon).ok())
+}

@@ -1,0 +1,141 @@
+//! Saved populations: written, read and dealt out again.
+
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use swarm_playground::geese::{Detail, GenomeSelection, Params, Population, PopulationForm, Query, SwapRule, World};
+use swarm_playground::random::Seed;
+
+fn world(change: impl Fn(&mut Params)) -> Result<World, (&'static str, String)> {
+    let mut params = Params { agents: 30, swap_rule: SwapRule::Always, ..Params::default() };
+    change(&mut params);
+    World::new(&params, Seed::new(11).expect("small"))
+}
+
+fn evolved() -> World {
+    let mut world = world(|_| {}).expect("it builds");
+    (0..60).for_each(|_| world.step());
+    world
+}
+
+/// The program of each agent that runs next.
+fn programs(world: &mut World) -> Vec<String> {
+    let text = |agent| {
+        let detail = serde_json::to_value(Detail::of(world, &Query { agent: Some(agent), ..Query::default() }));
+        let detail = detail.expect("it is JSON");
+        let next = detail["agent"]["replaced_by"].as_str().or(detail["tree"]["text"].as_str());
+        next.expect("an agent has a tree").to_owned()
+    };
+    (0..30).map(text).collect()
+}
+
+fn fixed(form: PopulationForm, share: f64) -> World {
+    let saved = Population::of(&evolved()).write();
+    world(|params| {
+        (params.evolution, params.population_form, params.population_share) = (false, form, share);
+        params.population.clone_from(&saved);
+    })
+    .expect("it builds")
+}
+
+#[test]
+fn a_population_is_read_as_it_was_written_and_runs_the_same_programs() {
+    let mut source = evolved();
+    let population = Population::of(&source);
+    assert!(Population::read(&population.write()) == Ok(population), "the same members");
+    let mut again = fixed(PopulationForm::AsSaved, 0.5);
+    let before = programs(&mut source);
+    assert!(before.iter().collect::<BTreeSet<_>>().len() > 5);
+    assert_eq!(programs(&mut again), before);
+    (0..50).for_each(|_| again.step());
+    assert_eq!(programs(&mut again), before, "nobody evolves");
+}
+
+#[test]
+fn the_fittest_are_dealt_out_in_each_form() {
+    let mut source = evolved();
+    let fittest = {
+        let members = Population::of(&source).members;
+        let best = (0..30).max_by(|a, b| members[*a].fitness.total_cmp(&members[*b].fitness).then(b.cmp(a)));
+        programs(&mut source)[best.expect("there are 30")].clone()
+    };
+    let homogeneous = programs(&mut fixed(PopulationForm::Homogeneous, 0.5));
+    assert!(homogeneous.iter().all(|program| *program == fittest));
+
+    // 20 % of 30 are six, dealt out in turns.
+    let heterogeneous = programs(&mut fixed(PopulationForm::Heterogeneous, 0.2));
+    assert_eq!(heterogeneous[0], fittest);
+    assert_eq!(heterogeneous[..6], heterogeneous[6..12]);
+
+    let blended = programs(&mut fixed(PopulationForm::Blended, 0.2));
+    let mut orders = BTreeSet::new();
+    for program in &blended {
+        let mut parts: Vec<&str> = program.trim_start_matches("Seq[").split("ForceSuccess[").skip(1).collect();
+        assert_eq!(parts.len(), 6, "{program}");
+        orders.insert(parts.clone());
+        parts.sort_unstable();
+        for part in &heterogeneous[..6] {
+            assert!(program.contains(&format!("ForceSuccess[{part}]")), "{part} is not in {program}");
+        }
+    }
+    assert!(orders.len() > 10, "each agent has an order of its own");
+}
+
+#[test]
+fn blended_programs_do_what_single_ones_cannot() {
+    // One program finds and takes food, the other brings it home: neither delivers anything alone.
+    let grammar = "<S> ::= Sel[IsCarrying Food Seq[NeighbourObjects Food CompositeSingleCarry Food] MoveTowards Sites] \
+        | Seq[IsCarrying Food Sel[Seq[NeighbourObjects Hub CompositeDrop Food] MoveTowards Hub]]";
+    let saved = |codons: &[u16]| {
+        let members: Vec<Value> = codons.iter().map(|codon| json!({"fitness": 1.0, "genome": [codon]})).collect();
+        json!({"format": "geese-population/1", "members": members}).to_string()
+    };
+    let delivered = |codons: &[u16]| {
+        let mut world = world(|params| {
+            (params.evolution, params.population_form, params.population_share) = (false, PopulationForm::Blended, 1.0);
+            (params.population, params.grammar) = (saved(codons), grammar.to_owned());
+            // Near enough to be known from the start.
+            params.site_distance = 9.0;
+        })
+        .expect("it builds");
+        (0..60).for_each(|_| world.step());
+        world.outcome().delivered
+    };
+    assert_eq!((delivered(&[0]), delivered(&[1])), (0, 0));
+    // All that lies within reach of the hub's centre.
+    assert!(delivered(&[0, 1]) > 5, "{}", delivered(&[0, 1]));
+}
+
+#[test]
+fn fresh_programs_are_drawn_without_any_selection() {
+    let mut world = world(|params| params.genome_selection = GenomeSelection::Fresh).expect("it builds");
+    (0..200).for_each(|_| world.step());
+    let swaps: u32 = world.state().history().iter().map(|sample| sample.swaps).sum();
+    assert!(swaps > 100, "{swaps}");
+    let lengths: Vec<usize> = Population::of(&world).members.iter().map(|member| member.genome.len()).collect();
+    assert!(lengths.iter().all(|length| *length == 100), "every genome is as it was drawn: {lengths:?}");
+}
+
+#[test]
+fn what_is_no_population_is_refused_with_the_path() {
+    let refused = |text: &str| {
+        let (field, message) = world(|params| text.clone_into(&mut params.population)).expect_err("it is refused");
+        assert_eq!(field, "population");
+        message
+    };
+    let file = |members: Value| json!({"format": "geese-population/1", "members": members}).to_string();
+    assert_eq!(refused("{\"format\": "), "expected JSON, found EOF while parsing a value at line 1 column 11");
+    assert_eq!(refused("{}"), "format: expected \"geese-population/1\", found null");
+    assert_eq!(refused(&file(json!([]))), "members: expected a list of 1 to 10000 members");
+    assert_eq!(refused(&file(json!([{"genome": [1]}]))), "members[0].fitness: expected a number");
+    assert_eq!(
+        refused(&file(json!([{"fitness": 1, "genome": [70000]}]))),
+        "members[0].genome: expected a list of whole numbers from 0 to 65535"
+    );
+    assert_eq!(
+        refused(&file(json!([{"fitness": 1, "genome": [0]}]))),
+        "members[0].genome: expected codons of a program of the grammar, found none"
+    );
+}

@@ -58,6 +58,9 @@
  * @property {number} diversity
  * @property {number} exploration
  * @property {number} feedback
+ * @property {number} prospective items carried
+ * @property {number} task items delivered by the whole swarm
+ * @property {string[]} counts the fitness types that count
  * @property {number} since_swap
  * @property {number} swaps
  * @property {{ donor: number, fitness: number, diversity: number }[]} stored

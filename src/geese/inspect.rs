@@ -2,6 +2,7 @@
 
 use super::leaf::{Leaf, Name, Object, Tag};
 use super::mind::{Mind, Trace};
+use super::params::Params;
 use super::program::program_text;
 use super::world::{State, World};
 use crate::bt::{Kind, Tree};
@@ -81,6 +82,10 @@ struct Agent {
     diversity: f64,
     exploration: usize,
     feedback: i32,
+    prospective: u32,
+    task: u32,
+    /// The fitness types that count in this scenario.
+    counts: Vec<&'static str>,
     since_swap: u32,
     swaps: u32,
     stored: Vec<Stored>,
@@ -189,7 +194,7 @@ impl Detail {
             tick: state.tick,
             programs: Programs { count, top: groups.into_iter().take(TOP).map(|group| group.1).collect() },
             behaviours: behaviours(state, &names),
-            agent: agent.map(|id| shown_agent(state, id)),
+            agent: agent.map(|id| shown_agent(state, world.params(), id)),
             tree,
             reached,
         }
@@ -245,7 +250,7 @@ fn behaviours(state: &State, names: &[Name]) -> Vec<Behaviour> {
     shown.collect()
 }
 
-fn shown_agent(state: &State, id: u32) -> Agent {
+fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
     let (body, mind) = (&state.bodies[id as usize], &state.minds[id as usize]);
     let position = state.field.agents.point(id);
     let field = &state.field;
@@ -272,6 +277,9 @@ fn shown_agent(state: &State, id: u32) -> Agent {
         diversity: mind.diversity,
         exploration: mind.visited.count(),
         feedback: mind.feedback,
+        prospective: u32::from(body.load.is_some()),
+        task: field.delivered(),
+        counts: counted(params),
         since_swap: state.tick - mind.since,
         swaps: mind.swaps,
         stored: mind
@@ -286,6 +294,17 @@ fn shown_agent(state: &State, id: u32) -> Agent {
         program: hex(ran.id),
         replaced_by: mind.was_replaced(state.tick).then(|| program_text(&mind.program.tree)),
     }
+}
+
+fn counted(params: &Params) -> Vec<&'static str> {
+    let types = [
+        (params.fitness_diversity, "diversity"),
+        (params.fitness_exploration, "exploration"),
+        (params.fitness_prospective, "prospective"),
+        (params.fitness_task, "task"),
+        (params.fitness_feedback, "feedback"),
+    ];
+    types.into_iter().filter(|(counts, _)| *counts).map(|(_, name)| name).collect()
 }
 
 /// The tree of the agents `held`, with the trace of the agents `shown` (one of them, or all).

@@ -87,9 +87,8 @@ export function createAgentTab(run, selection) {
     put('swaps', agent.swaps);
     put('next', agent.replaced_by ? gist(agent.replaced_by) : '–');
     put('fitness', agent.fitness.toFixed(2));
-    put('diversity', agent.diversity.toFixed(3));
-    put('exploration', agent.exploration);
-    put('feedback', agent.feedback);
+    const types = { diversity: agent.diversity.toFixed(3), exploration: agent.exploration, prospective: agent.prospective, task: agent.task, feedback: agent.feedback };
+    for (const [type, value] of Object.entries(types)) put(type, agent.counts.includes(type) ? value : text.agent.uncounted(value));
     storedHead.hidden = agent.stored.length === 0;
     write(storedCaption, text.agent.stored(agent.stored.length));
     while (stored.rows.length < agent.stored.length) stored.append(h('tr', {}, h('td', {}), h('td', {}), h('td', {})));

@@ -20,7 +20,7 @@ command -v cargo >/dev/null && command -v rustc >/dev/null ||
   missing "Rust is missing: install it with rustup, see https://rustup.rs."
 rust=$(rustc --version 2>/dev/null | cut -d ' ' -f 2)
 [ -n "$rust" ] || missing "Rust has no toolchain yet: run 'rustup default stable'."
-at_least "$rust" 1 88 || missing "Rust $rust is too old, 1.88 or later is needed: run 'rustup update'."
+at_least "$rust" 1 89 || missing "Rust $rust is too old, 1.89 or later is needed: run 'rustup update'."
 
 command -v cc >/dev/null || missing "A C compiler is missing, which Rust links with: install gcc or clang."
 

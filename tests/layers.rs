@@ -23,7 +23,8 @@ fn floor(module: &str) -> u32 {
         "bt" | "evolution" => 1,
         "geese" | "workbench" => 2,
         "scenario" => 3,
-        "web" | "main" => 5,
+        "study" => 4,
+        "web" | "main" | "cli" => 5,
         other => panic!("src/{other} stands on no floor: name it here"),
     }
 }

@@ -17,6 +17,7 @@ mod grid;
 mod inspect;
 mod language;
 mod leaf;
+mod measure;
 mod mind;
 mod near;
 mod params;
@@ -34,6 +35,7 @@ pub use grammars::grammar_text;
 pub use inspect::{Detail, Query};
 pub use language::LanguageError;
 pub use leaf::{Leaf, Name, Object, Tag, Takes};
+pub use measure::{Measure, is_inert};
 pub use params::{
     Activation, Behaviours, CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, ItemPlacement,
     MovesPerStep, MutationMode, Params, ParentSelection, PopulationForm, StartPositions, StorageContent, SwapRule,

@@ -1,0 +1,3 @@
+//! Studies: many runs of a scenario and its variants, their results, and the report on them.
+
+pub mod statistics;

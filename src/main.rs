@@ -1,10 +1,12 @@
 //! The command line: runs scenarios, lists parameters, and checks the engine against cases files.
 
+mod cli;
+
 use clap::{Parser, Subcommand};
+use cli::{Failure, print, read_file};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
-use std::fs;
-use std::io::{IsTerminal, Write, stderr, stdout};
+use std::io::{IsTerminal, Write, stderr};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -46,6 +48,12 @@ enum Command {
         #[command(subcommand)]
         what: TreeCommand,
     },
+    /// Make the runs of a study; a run that was stopped goes on where it was
+    Study(cli::study::StudyArguments),
+    /// Print the report on the results of a study, as Markdown
+    Report(cli::report::ReportArguments),
+    /// Put the results of a study's shards into one file, in the order of the runs
+    Merge(cli::report::MergeArguments),
     /// Measure how fast a scenario runs and print the result as one line of JSON
     Bench {
         /// A scenario file
@@ -97,18 +105,15 @@ enum TreeCommand {
     },
 }
 
-/// What went wrong: input that is refused, or cases that failed.
-enum Failure {
-    Input(String),
-    Cases,
-}
-
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Run { scenario, seed, steps } => run(&scenario, seed, steps),
         Command::Schema => print(&format!("{:#}", schema())),
         Command::Conform { what } => conform(&what),
         Command::Tree { what } => tree(&what),
+        Command::Study(arguments) => cli::study::study(&arguments),
+        Command::Report(arguments) => cli::report::report(&arguments),
+        Command::Merge(arguments) => cli::report::merge(&arguments),
         Command::Bench { scenario, steps } => bench(&scenario, steps),
     };
     match result {
@@ -120,20 +125,6 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-/// Prints a line; a reader that went away (such as `head`) ends the program quietly.
-fn print(line: &str) -> Result<(), Failure> {
-    match writeln!(stdout(), "{line}") {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Failure::Input(format!("cannot write to standard output: {error}")))
-        }
-        _ => Ok(()),
-    }
-}
-
-fn read_file(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|error| Failure::Input(format!("cannot read {}: {error}", path.display())))
 }
 
 fn read_run(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Run, Failure> {

@@ -1,5 +1,7 @@
 //! The statistics of reports, against values worked by hand.
 
+#![expect(clippy::float_cmp, reason = "some results are exact")]
+
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -27,8 +29,8 @@ fn wilson_intervals_of_the_papers_64_runs() {
     // 48 of 64: centre (0.75 + 3.84146/128) / (1 + 3.84146/64) = 0.780011 / 1.060023 = 0.735844,
     // half 1.95996 sqrt(0.75 0.25 / 64 + 3.84146 / 16384) / 1.060023 = 0.104007.
     let well = wilson(48, 64);
-    near(well.low, 0.631837, 2e-6);
-    near(well.high, 0.839851, 2e-6);
+    near(well.low, 0.631_837, 2e-6);
+    near(well.high, 0.839_851, 2e-6);
     // 6 of 64, in per cent as the paper's reader sees them: 4 to 19.
     let badly = wilson(6, 64);
     assert_eq!([badly.low, badly.high].map(|end| (end * 100.0).round()), [4.0, 19.0]);
@@ -36,8 +38,8 @@ fn wilson_intervals_of_the_papers_64_runs() {
     // At the ends: 0 of n reaches to z^2 / (n + z^2) = 3.84146 / 13.84146.
     let none = wilson(0, 10);
     assert_eq!((none.value, none.low), (0.0, 0.0));
-    near(none.high, 0.277533, 5e-7);
-    near(wilson(10, 10).low, 1.0 - 0.277533, 5e-7);
+    near(none.high, 0.277_533, 5e-7);
+    near(wilson(10, 10).low, 1.0 - 0.277_533, 5e-7);
     assert_eq!((wilson(0, 0).low, wilson(0, 0).high), (0.0, 1.0));
 }
 

@@ -72,17 +72,14 @@ impl<'a> Fields<'a> {
     /// A whole number within bounds, if the field is there.
     pub fn whole(&self, name: &str, range: RangeInclusive<u64>) -> Result<Option<u64>, StudyError> {
         let Some(value) = self.get(name) else { return Ok(None) };
-        match value.as_u64().filter(|whole| range.contains(whole)) {
-            Some(whole) => Ok(Some(whole)),
-            None => {
-                let (least, most) = (range.start(), range.end());
-                let expected = format!("expected a whole number from {least} to {most}, found {}", shown(value));
-                fault(self.at(name), expected)
-            }
+        if let Some(whole) = value.as_u64().filter(|whole| range.contains(whole)) {
+            return Ok(Some(whole));
         }
+        let (least, most) = (range.start(), range.end());
+        fault(self.at(name), format!("expected a whole number from {least} to {most}, found {}", shown(value)))
     }
 
-    /// The elements of a list with their paths, or of an object with its fields' paths.
+    /// The elements of a list with their paths; none when the field is not there.
     pub fn each(&self, name: &str, most: usize) -> Result<Vec<(String, &'a Value)>, StudyError> {
         let path = self.at(name);
         match self.get(name) {
@@ -93,11 +90,7 @@ impl<'a> Fields<'a> {
 }
 
 /// The elements of a list with their paths.
-pub(super) fn elements<'a>(
-    value: &'a Value,
-    path: &str,
-    most: usize,
-) -> Result<Vec<(String, &'a Value)>, StudyError> {
+pub(super) fn elements<'a>(value: &'a Value, path: &str, most: usize) -> Result<Vec<(String, &'a Value)>, StudyError> {
     let Value::Array(list) = value else {
         return fault(path, format!("expected a list, found {}", shown(value)));
     };

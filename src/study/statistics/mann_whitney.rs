@@ -38,7 +38,7 @@ pub fn mann_whitney(first: &[f64], second: &[f64]) -> Option<MannWhitney> {
     for tied in all.chunk_by(|a, b| a.0 == b.0) {
         let count = tied.len() as f64;
         let ours = tied.iter().filter(|value| value.1).count() as f64;
-        rank_sum += ours * (before + (count + 1.0) / 2.0);
+        rank_sum += ours * (before + f64::midpoint(count, 1.0));
         before += count;
         ties += count * count * count - count;
     }

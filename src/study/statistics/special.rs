@@ -30,18 +30,18 @@ fn beta_inc_near(a: f64, b: f64, x: f64) -> f64 {
 fn fraction(a: f64, b: f64, x: f64) -> f64 {
     const TINY: f64 = 1e-300;
     let guard = |value: f64| if value.abs() < TINY { TINY } else { value };
-    let (mut value, mut c, mut d) = (1.0, 1.0, 0.0);
+    let (mut value, mut over, mut under) = (1.0, 1.0, 0.0);
     for step in 1..=10_000_u32 {
-        let m = f64::from(step / 2);
+        let half = f64::from(step / 2);
         let term = if step % 2 == 0 {
-            m * (b - m) * x / ((a + 2.0 * m - 1.0) * (a + 2.0 * m))
+            half * (b - half) * x / ((a + 2.0 * half - 1.0) * (a + 2.0 * half))
         } else {
-            -(a + m) * (a + b + m) * x / ((a + 2.0 * m) * (a + 2.0 * m + 1.0))
+            -(a + half) * (a + b + half) * x / ((a + 2.0 * half) * (a + 2.0 * half + 1.0))
         };
-        d = 1.0 / guard(1.0 + term * d);
-        c = guard(1.0 + term / c);
-        value *= c * d;
-        if (c * d - 1.0).abs() < 1e-15 {
+        under = 1.0 / guard(1.0 + term * under);
+        over = guard(1.0 + term / over);
+        value *= over * under;
+        if (over * under - 1.0).abs() < 1e-15 {
             break;
         }
     }

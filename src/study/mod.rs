@@ -6,8 +6,10 @@
 
 mod cells;
 mod fields;
+mod figure;
 mod metrics;
 mod plan;
+mod report;
 mod results;
 mod row;
 mod spec;
@@ -17,18 +19,7 @@ pub use cells::{Cell, Presets};
 pub use fields::StudyError;
 pub use metrics::{Form, Metric};
 pub use plan::{Figure, FigureKind, PaperValue, Test, TestKind};
+pub use report::{figure, report};
 pub use results::{Results, ResultsError};
 pub use row::Row;
 pub use spec::{Size, Study, VERSION};
-
-/// Stand-in.
-#[must_use]
-pub fn report(results: &Results) -> String {
-    results.text()
-}
-
-/// Stand-in.
-#[must_use]
-pub fn figure(results: &Results) -> Option<String> {
-    Some(results.text())
-}

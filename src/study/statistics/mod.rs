@@ -46,3 +46,19 @@ impl Estimate {
         (self.low..=self.high).contains(&value)
     }
 }
+
+/// The p values of several tests, made greater so that the chance of any false alarm among them stays what it is for one.
+///
+/// Source: Holm (1979).
+#[must_use]
+pub fn holm(values: &[f64]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+    let mut adjusted = vec![0.0; values.len()];
+    let mut least = 0.0_f64;
+    for (place, index) in order.into_iter().enumerate() {
+        least = least.max((values.len() - place) as f64 * values[index]).min(1.0);
+        adjusted[index] = least;
+    }
+    adjusted
+}

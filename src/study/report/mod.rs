@@ -1,0 +1,105 @@
+//! The report on a study's results, as Markdown: what was run, what came out, the tests, and the paper's values beside ours.
+
+mod paper;
+mod table;
+mod tests;
+mod words;
+
+use super::figure::draw;
+use super::metrics::Metric;
+use super::results::Results;
+use super::spec::{Study, VERSION};
+use std::collections::BTreeMap;
+
+/// What one cell gave for one metric.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Sample {
+    /// The numbers, in the order of the runs.
+    pub values: Vec<f64>,
+    /// Runs in which it never came about.
+    pub never: u32,
+}
+
+impl Sample {
+    pub fn of(results: &Results, cell: usize, metric: Metric) -> Self {
+        let study = results.study();
+        let place = study.metrics.iter().position(|other| *other == metric).unwrap_or_default();
+        let mut sample = Self::default();
+        for row in results.rows().filter(|row| row.end.is_ok() && study.job(row.run).0 == cell) {
+            match row.metrics[place] {
+                Some(value) => sample.values.push(value),
+                None => sample.never += 1,
+            }
+        }
+        sample
+    }
+
+    /// Successes and trials, of a metric that is 0 or 1.
+    pub fn successes(&self) -> (u32, u32) {
+        (self.values.iter().filter(|value| **value > 0.5).count() as u32, self.values.len() as u32)
+    }
+}
+
+/// The report on results, complete or not, as Markdown.
+#[must_use]
+pub fn report(results: &Results) -> String {
+    let study = results.study();
+    let title = if study.title.is_empty() { &study.name } else { &study.title };
+    let mut parts = vec![format!("# {title}")];
+    parts.extend(Some(study.about.clone()).filter(|about| !about.is_empty()));
+    parts.push(what_was_run(results));
+    parts.extend(failures(results));
+    for metric in &study.metrics {
+        parts.push(format!("## {}\n\n{}", metric.label(), metric.help()));
+        parts.push(table::table(results, *metric));
+    }
+    parts.extend(tests::section(results));
+    parts.extend(paper::section(results));
+    parts.join("\n\n") + "\n"
+}
+
+/// The study's figure as the text of an SVG file; `None` when it has none, or no run to show.
+#[must_use]
+pub fn figure(results: &Results) -> Option<String> {
+    let figure = results.study().figure.as_ref()?;
+    let cells = (0..results.study().cells.len()).map(|cell| Sample::of(results, cell, figure.metric));
+    let cells: Vec<Vec<f64>> = cells.map(|sample| sample.values).collect();
+    draw(results.study(), figure, &cells, &extent(results))
+}
+
+fn what_was_run(results: &Results) -> String {
+    let study = results.study();
+    format!(
+        "Study `{}`, {} cells: {}. Version {VERSION}, spec {:016x}.",
+        study.name,
+        study.cells.len(),
+        extent(results),
+        study.hash()
+    )
+}
+
+/// How much there is, such as `64 of 64 seeds from 1`.
+fn extent(results: &Results) -> String {
+    let study: &Study = results.study();
+    let mut of_cells = vec![0_u32; study.cells.len()];
+    for row in results.rows() {
+        of_cells[study.job(row.run).0] += 1;
+    }
+    let least = of_cells.iter().min().copied().unwrap_or_default();
+    let most = of_cells.iter().max().copied().unwrap_or_default();
+    let have = if least == most { format!("{least}") } else { format!("{least} to {most}") };
+    let (all, first) = (study.seeds.max(most), study.first_seed);
+    let partial = if least < all { ", not complete" } else { "" };
+    format!("{have} of {all} seeds from {first} in each cell{partial}")
+}
+
+fn failures(results: &Results) -> Option<String> {
+    let mut reasons: BTreeMap<&str, u32> = BTreeMap::new();
+    for row in results.rows() {
+        if let Err(reason) = &row.end {
+            *reasons.entry(reason).or_default() += 1;
+        }
+    }
+    let lines: Vec<String> = reasons.iter().map(|(reason, count)| format!("* {count} times: {reason}")).collect();
+    (!lines.is_empty()).then(|| format!("Runs that failed, which no number below counts:\n\n{}", lines.join("\n")))
+}

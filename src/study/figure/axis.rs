@@ -110,11 +110,12 @@ impl Across {
     /// Draws the axis below the plot.
     pub fn draw(&self, canvas: &mut Canvas, places: &[String], title: &str) {
         canvas.line([LEFT, BOTTOM], [RIGHT, BOTTOM], "axis");
+        let mut lines = 0;
         for (place, &x) in places.iter().zip(&self.at) {
             canvas.line([x, BOTTOM], [x, BOTTOM + 5.0], "axis");
-            canvas.wrapped([x, BOTTOM + 20.0], self.room.max(30.0), place);
+            lines = lines.max(canvas.wrapped([x, BOTTOM + 20.0], self.room.max(30.0), place));
         }
-        canvas.text([f64::midpoint(LEFT, RIGHT), BOTTOM + 76.0], "middle", title);
+        canvas.text([f64::midpoint(LEFT, RIGHT), BOTTOM + 28.0 + 14.0 * lines as f64], "middle", title);
     }
 }
 

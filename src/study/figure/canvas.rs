@@ -49,8 +49,8 @@ impl Canvas {
         self.put(&format!("<text class=\"middle\" transform=\"translate({x:.1} {y:.1}) rotate(-90)\">{text}</text>"));
     }
 
-    /// A text centred below a place, broken into lines of at most so many pixels.
-    pub fn wrapped(&mut self, [x, y]: [f64; 2], width: f64, text: &str) {
+    /// A text centred below a place, broken into lines of at most so many pixels; returns how many lines.
+    pub fn wrapped(&mut self, [x, y]: [f64; 2], width: f64, text: &str) -> usize {
         const MOST_LINES: usize = 4;
         let mut lines: Vec<String> = Vec::new();
         for word in text.split(' ') {
@@ -65,6 +65,7 @@ impl Canvas {
         for (place, line) in lines.iter().take(MOST_LINES).enumerate() {
             self.text([x, y + 14.0 * place as f64], "middle", line);
         }
+        lines.len().min(MOST_LINES)
     }
 
     /// A straight line.

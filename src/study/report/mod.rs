@@ -100,6 +100,8 @@ fn failures(results: &Results) -> Option<String> {
             *reasons.entry(reason).or_default() += 1;
         }
     }
-    let lines: Vec<String> = reasons.iter().map(|(reason, count)| format!("* {count} times: {reason}")).collect();
+    let line =
+        |(reason, count): (&&str, &u32)| format!("* {count} run{}: {reason}", if *count == 1 { "" } else { "s" });
+    let lines: Vec<String> = reasons.iter().map(line).collect();
     (!lines.is_empty()).then(|| format!("Runs that failed, which no number below counts:\n\n{}", lines.join("\n")))
 }

@@ -76,14 +76,19 @@ pub fn study(arguments: &StudyArguments) -> Result<(), Failure> {
     let bar = progress(runs.len());
     let threads = rayon::ThreadPoolBuilder::new().num_threads(arguments.jobs.map_or(0, usize::from)).build();
     let threads = threads.map_err(|error| Failure::Input(format!("--jobs: {error}")))?;
-    let shared = Mutex::new((&mut file, &mut results));
+    let shared = Mutex::new((&mut file, &mut results, true));
     // A bridge hands the runs out in their order, so that results that were stopped are balanced.
     let written = threads.install(|| {
         runs.iter().par_bridge().try_for_each(|&run| {
             let row = study.make(run);
             let mut guard = shared.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-            let (file, results) = &mut *guard;
-            write_row(file, results, row)?;
+            let (file, results, is_whole) = &mut *guard;
+            // After a write that failed half way another row would end up in the middle of a line.
+            if *is_whole {
+                *is_whole = false;
+                write_row(file, results, row)?;
+                *is_whole = true;
+            }
             bar.inc(1);
             Ok(())
         })

@@ -1,8 +1,10 @@
 //! The wasm face: each method converts and calls, nothing more.
 //!
-//! Configuration, queries and answers cross as JSON text, errors as `Error` with the core's message. There are two
-//! faces, each a wasm file of its own, so that the page loads the tree workbench only when it is opened.
+//! Configuration, queries and answers cross as JSON text, errors as `Error` with the core's message. There are three
+//! faces, each a wasm file of its own, so that the page loads the tree workbench and the studies only when they are opened.
 
+#[cfg(feature = "studies")]
+mod studies;
 #[cfg(feature = "trees")]
 mod trees;
 #[cfg(feature = "worlds")]
@@ -23,13 +25,13 @@ pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
 }
 
-#[cfg(any(feature = "worlds", feature = "trees"))]
+#[cfg(any(feature = "worlds", feature = "trees", feature = "studies"))]
 fn error(error: &impl ToString) -> JsError {
     JsError::new(&error.to_string())
 }
 
 /// An answer as JSON; serialising our own types cannot fail.
-#[cfg(any(feature = "worlds", feature = "trees"))]
+#[cfg(any(feature = "worlds", feature = "trees", feature = "studies"))]
 fn answer(value: Option<impl serde::Serialize>) -> String {
     value.and_then(|value| serde_json::to_string(&value).ok()).unwrap_or_else(|| "null".to_owned())
 }

@@ -2,7 +2,7 @@
 
 use super::fields::{Fields, StudyError, elements, entries, fault, name, one_of};
 use super::metrics::Metric;
-use crate::parameter::shown;
+use crate::parameter::{number, shown};
 use crate::scenario::{Scenario, schema};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -214,7 +214,12 @@ pub(super) fn with(scenario: &Scenario, set: &[(String, String, &Value)], path: 
 
 /// A parameter's value as words of one line.
 pub(super) fn plain(value: &Value) -> String {
-    let words = value.as_str().map_or_else(|| shown(value), str::to_owned);
+    let words = match value {
+        Value::String(text) => text.clone(),
+        // So that 0 and 0.0 are called alike.
+        Value::Number(real) => real.as_f64().map(number).unwrap_or_default(),
+        _ => shown(value),
+    };
     let words = words.split(|letter: char| letter.is_whitespace() || letter.is_control());
     words.filter(|word| !word.is_empty()).collect::<Vec<_>>().join(" ")
 }

@@ -25,7 +25,7 @@ pub fn number(value: f64) -> String {
 
 /// A p value.
 pub fn p(value: f64) -> String {
-    if value < 0.0001 { format!("{value:.1e}") } else { format!("{value:.4}") }
+    if value < 0.001 { format!("{value:.1e}") } else { format!("{value:.4}") }
 }
 
 /// A value of a metric, shares in per cent.

@@ -12,13 +12,14 @@ pub const BOTTOM: f64 = 392.0;
 /// Letters of the small text, about.
 const LETTER: f64 = 6.4;
 
-/// Colours that stay apart for readers who confuse red and green (Okabe and Ito), on light and on dark ground.
+/// Colours that stay apart for readers who confuse red and green (after Okabe and Ito), on light and on dark ground. The
+/// first three are those of figure 2 of BeTr-GEESE, in its order: green, blue, yellow.
 const COLOURS: [(&str, &str); 6] = [
-    ("#0072b2", "#56b4e9"),
-    ("#b85000", "#ff9a4d"),
     ("#00795a", "#2fd39f"),
+    ("#0072b2", "#56b4e9"),
+    ("#946c00", "#f0c04a"),
+    ("#b84a00", "#ff9a6d"),
     ("#a3527f", "#e79fc8"),
-    ("#8a6500", "#f0c04a"),
     ("#59636e", "#b4bcc6"),
 ];
 

@@ -4,14 +4,13 @@ mod cli;
 
 use clap::{Parser, Subcommand};
 use cli::{Failure, print, read_file};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Value, json};
-use std::io::{IsTerminal, Write, stderr};
+use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use swarm_playground::bt::xml::{self, Manifest, Problem};
-use swarm_playground::scenario::{Run, Scenario, schema};
+use swarm_playground::scenario::schema;
 use swarm_playground::workbench::{Setup, tick_headless};
 use swarm_playground::{bt, evolution};
 
@@ -26,16 +25,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     /// Run a scenario and print its result as one line of JSON
-    Run {
-        /// A scenario file, such as scenarios/foraging.json
-        scenario: PathBuf,
-        /// Use this seed in place of the scenario's (0 to 2^53 - 1)
-        #[arg(long)]
-        seed: Option<u64>,
-        /// Stop after this many steps in place of the scenario's
-        #[arg(long)]
-        steps: Option<u32>,
-    },
+    Run(cli::run::RunArguments),
     /// Print every parameter with its bounds, meaning and source, as JSON
     Schema,
     /// Run a file of cases against the engine: one line for each, then a summary
@@ -107,7 +97,7 @@ enum TreeCommand {
 
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
-        Command::Run { scenario, seed, steps } => run(&scenario, seed, steps),
+        Command::Run(arguments) => cli::run::run(&arguments),
         Command::Schema => print(&format!("{:#}", schema())),
         Command::Conform { what } => conform(&what),
         Command::Tree { what } => tree(&what),
@@ -123,74 +113,6 @@ fn main() -> ExitCode {
             // Nothing can be done when standard error is gone too.
             let _ = writeln!(stderr(), "swarm-playground: {message}");
             ExitCode::from(2)
-        }
-    }
-}
-
-fn read_run(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Run, Failure> {
-    let text = read_file(path)?;
-    let in_file = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", path.display()));
-    let mut scenario = Scenario::read(&text).map_err(|error| in_file(&error))?;
-    for (option, value) in changes {
-        if let Some(value) = value {
-            scenario = scenario.with(option, value).map_err(|error| Failure::Input(format!("--{error}")))?;
-        }
-    }
-    Run::new(scenario).map_err(|error| in_file(&error))
-}
-
-fn run(path: &Path, seed: Option<u64>, steps: Option<u32>) -> Result<(), Failure> {
-    let changes = [("seed", seed.map(Value::from)), ("steps", steps.map(Value::from))];
-    let mut run = read_run(path, &changes)?;
-    let mut progress = Progress::new();
-    while run.advance(20) == 20 {
-        progress.show(&run);
-    }
-    progress.clear();
-    let result = json!({
-        "world": run.scenario().world.name(),
-        "seed": run.scenario().seed.value(),
-        "steps": run.tick(),
-        "outcome": run.outcome(),
-        "fingerprint": format!("{:016x}", run.fingerprint()),
-        "version": env!("CARGO_PKG_VERSION"),
-    });
-    print(&result.to_string())
-}
-
-/// A progress bar on a terminal, for what takes more than two seconds.
-struct Progress {
-    begun: Instant,
-    bar: Option<ProgressBar>,
-}
-
-const PATIENCE: Duration = Duration::from_secs(2);
-
-impl Progress {
-    #[expect(clippy::disallowed_methods, reason = "the clock decides only whether a progress bar is shown")]
-    fn new() -> Self {
-        Self { begun: Instant::now(), bar: None }
-    }
-
-    fn show(&mut self, run: &Run) {
-        if self.bar.is_none() {
-            if self.begun.elapsed() < PATIENCE || !stderr().is_terminal() {
-                return;
-            }
-            let bar = ProgressBar::new(u64::from(run.scenario().world.steps()));
-            if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} steps, {eta} left") {
-                bar.set_style(style);
-            }
-            self.bar = Some(bar);
-        }
-        if let Some(bar) = &self.bar {
-            bar.set_position(u64::from(run.tick()));
-        }
-    }
-
-    fn clear(&self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
         }
     }
 }
@@ -263,7 +185,7 @@ fn bench_tree(file: &Path, ticks: u32) -> Result<(), Failure> {
 
 #[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
 fn bench(path: &Path, steps: u32) -> Result<(), Failure> {
-    let mut run = read_run(path, &[("steps", Some(Value::from(steps)))])?;
+    let mut run = cli::run::read_run(path, &[("steps", Some(Value::from(steps)))])?;
     let agents = run.geese().map_or(1, |world| world.params().agents);
     let begun = Instant::now();
     run.advance(steps);

@@ -1,6 +1,7 @@
 //! What the commands of the command line share.
 
 pub mod report;
+pub mod run;
 pub mod study;
 
 use std::fs;

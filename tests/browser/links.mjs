@@ -9,6 +9,7 @@ function another({ type, min, max, step, choices, key }, value) {
   if (type === 'seed') return 123_456;
   if (type === 'bool') return !value;
   if (type === 'choice') return choices.find((/** @type {{ value: string }} */ choice) => choice.value !== value)?.value;
+  if (key === 'geese.grammar') return '<S> ::= Explore\n'; // names of built-in rules are shown in full
   if (type === 'text') return `${value}\n`;
   const by = step ?? (type === 'int' ? 1 : (max - min) / 100);
   const next = value + by <= max ? value + by : value - by;

@@ -43,5 +43,5 @@ pub use params::{
 };
 pub use population::{Dealt, Member, Population};
 pub use program::{Compiler, CompilerError, Survey, program_text};
-pub use schema::PARAMETERS;
+pub use schema::parameters;
 pub use world::{Finished, Outcome, SAMPLE_EVERY, Sample, State, World};

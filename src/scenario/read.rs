@@ -51,16 +51,16 @@ pub fn schema() -> Value {
         "source": "our choice",
     })];
     let defaults = fields_of(&WorldParams::Geese(geese::Params::default()));
-    entries.extend(geese::PARAMETERS.iter().map(|parameter| {
+    entries.extend(geese::parameters().map(|parameter| {
         let default = defaults.get(parameter.name).unwrap_or(&Value::Null);
         parameter.schema("geese.", default)
     }));
     Value::Array(entries)
 }
 
-fn parameters(world: &WorldParams) -> &'static [Parameter] {
+fn parameters(world: &WorldParams) -> impl Iterator<Item = &'static Parameter> + use<> {
     match world {
-        WorldParams::Geese(_) => geese::PARAMETERS,
+        WorldParams::Geese(_) => geese::parameters(),
     }
 }
 
@@ -128,8 +128,8 @@ impl Scenario {
             if COMMON.contains(&name.as_str()) {
                 continue;
             }
-            let Some(parameter) = parameters(&world).iter().find(|parameter| parameter.name == name) else {
-                let known = parameters(&world).iter().map(|parameter| parameter.name).chain(COMMON);
+            let Some(parameter) = parameters(&world).find(|parameter| parameter.name == name) else {
+                let known = parameters(&world).map(|parameter| parameter.name).chain(COMMON);
                 return match nearest(name, known) {
                     Some(near) => fault(name, format!("unknown field, did you mean \"{near}\"?")),
                     None => fault(name, "unknown field; `swarm-playground schema` lists all"),
@@ -220,8 +220,8 @@ pub(super) fn apply(world: &WorldParams, event: &Event) -> Result<WorldParams, S
 
 fn live_parameter(world: &WorldParams, key: &str) -> Result<&'static Parameter, ScenarioError> {
     let name = key.strip_prefix(world.name()).and_then(|rest| rest.strip_prefix('.'));
-    let live = || parameters(world).iter().filter(|parameter| parameter.apply == Apply::Live);
-    match name.and_then(|name| parameters(world).iter().find(|parameter| parameter.name == name)) {
+    let live = || parameters(world).filter(|parameter| parameter.apply == Apply::Live);
+    match name.and_then(|name| parameters(world).find(|parameter| parameter.name == name)) {
         Some(parameter) if parameter.apply == Apply::Live => Ok(parameter),
         Some(_) => fault(key, "expected a parameter that can change during a run, found one that needs a restart"),
         None => {

@@ -66,9 +66,10 @@ node_modules/.package-lock.json: package-lock.json | check
 # built in one place in two ways: quickly for `make play`, and optimised for everything that is given away or measured.
 # The file .optimised says which one is there; `make play` takes either.
 #   $(call wasm_pack_build,FACE,FOLDER,OPTIONS OF WASM-PACK)
-# Built for size, but with more inlining than that implies: a tenth smaller than the fastest build, and nearly as fast.
-wasm_pack_build = CARGO_PROFILE_RELEASE_OPT_LEVEL=s \
-  CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS='-C llvm-args=-inline-threshold=100' \
+# The worlds are in the first load, so they are built for size, but with more inlining than that implies: a tenth smaller
+# than the fastest build, and nearly as fast.
+wasm_pack_build = $(if $(filter worlds,$(1)),CARGO_PROFILE_RELEASE_OPT_LEVEL=s \
+  CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS='-C llvm-args=-inline-threshold=100') \
   .tools/bin/wasm-pack --log-level warn build --mode no-install --target web --release \
   --out-dir $(2) --out-name swarm_playground --no-pack $(3) -- --no-default-features --features $(1)
 

@@ -172,15 +172,22 @@ impl Builtin {
     }
 }
 
-/// What a node has besides its kind: a name, conditions around its tick, and the ports of a host leaf.
+/// What a node has besides its kind: a name, scripts around its tick, and the ports of a host leaf.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Extra {
     /// The instance name.
     pub name: String,
+    /// `None` for the many nodes that have none, so that their ticks look at one place only.
+    pub scripts: Option<Box<Scripts>>,
+    /// Ports of a host leaf, by name.
+    pub ports: Vec<(String, Source)>,
+}
+
+/// The scripts around a node's tick.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scripts {
     /// `_failureIf`, `_successIf`, `_skipIf`, `_while`, in the order in which they are looked at.
     pub before: [Option<BoundScript>; 4],
     /// `_onSuccess`, `_onFailure`, `_post`, `_onHalted`.
     pub after: [Option<BoundScript>; 4],
-    /// Ports of a host leaf, by name.
-    pub ports: Vec<(String, Source)>,
 }

@@ -1,7 +1,7 @@
 //! From a document to a tree that runs: subtrees expanded, ports and scripts bound to blackboard entries.
 
 use super::blackboard::{EntryId, MAIN};
-use super::builtin::{BoundScript, Builtin, Extra, Key, LoopType, Source};
+use super::builtin::{BoundScript, Builtin, Extra, Key, LoopType, Scripts, Source};
 use super::script::Script;
 use super::xml::{DEEPEST, Document, Element, Manifest, Model, NodeKind, PortType, Problem, When, reference};
 use super::{Builder, Kind, Status, Tree, Value};
@@ -125,12 +125,13 @@ impl Compiler<'_> {
             }
             _ => Vec::new(),
         };
-        Extra {
-            name: element.name().to_owned(),
-            before: std::array::from_fn(|index| scripts[index].take()),
-            after: std::array::from_fn(|index| scripts[index + 4].take()),
-            ports,
-        }
+        let scripts = scripts.iter().any(Option::is_some).then(|| {
+            Box::new(Scripts {
+                before: std::array::from_fn(|index| scripts[index].take()),
+                after: std::array::from_fn(|index| scripts[index + 4].take()),
+            })
+        });
+        Extra { name: element.name().to_owned(), scripts, ports }
     }
 
     /// A script with its names bound; the document was checked, so one that does not parse is none.

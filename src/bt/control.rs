@@ -1,6 +1,6 @@
 //! The control nodes.
 
-use super::tick::{Host, TickError, Ticking};
+use super::tick::{Broken, Host, Ticking};
 use super::{NodeId, Recorder, Source, Status, Value};
 
 impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
@@ -14,7 +14,7 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         decisive: Status,
         yields: bool,
         keeps_place: bool,
-    ) -> Result<Status, TickError> {
+    ) -> Result<Status, Broken> {
         let end = self.tree.nodes()[node.index()].end;
         let mut child = self.resume(node);
         while child.0 < end {
@@ -55,7 +55,7 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         Ok(self.end_of_list(node, decisive))
     }
 
-    pub(super) fn reactive(&mut self, node: NodeId, decisive: Status) -> Result<Status, TickError> {
+    pub(super) fn reactive(&mut self, node: NodeId, decisive: Status) -> Result<Status, Broken> {
         let tree = self.tree;
         let mut all_skipped = true;
         for child in tree.children(node) {
@@ -84,7 +84,7 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
 
     /// Ticks what has not completed and compares after each child. The slot counts successes (`count`) and failures
     /// (`cursor`).
-    pub(super) fn parallel(&mut self, node: NodeId, success: &Source, failure: &Source) -> Result<Status, TickError> {
+    pub(super) fn parallel(&mut self, node: NodeId, success: &Source, failure: &Source) -> Result<Status, Broken> {
         let tree = self.tree;
         let children = tree.children(node).count() as u32;
         let positive = self.number(node, "success_count", success)? >= 0.0;
@@ -117,7 +117,7 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         Ok(if skipped == children { Status::Skipped } else { Status::Running })
     }
 
-    fn threshold(&mut self, node: NodeId, port: &str, source: &Source, children: u32) -> Result<u32, TickError> {
+    fn threshold(&mut self, node: NodeId, port: &str, source: &Source, children: u32) -> Result<u32, Broken> {
         let given = self.number(node, port, source)?;
         let wanted = if given < 0.0 { (f64::from(children) + 1.0 + given).max(0.0) } else { given };
         if wanted <= f64::from(children) {
@@ -128,7 +128,7 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
     }
 
     /// Waits for all children, then counts. The slot counts failures.
-    pub(super) fn parallel_all(&mut self, node: NodeId, max_failures: &Source) -> Result<Status, TickError> {
+    pub(super) fn parallel_all(&mut self, node: NodeId, max_failures: &Source) -> Result<Status, Broken> {
         let tree = self.tree;
         let children = tree.children(node).count() as u32;
         let given = self.number(node, "max_failures", max_failures)?;
@@ -157,13 +157,13 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
     }
 
     /// The cursor holds the branch that was chosen.
-    pub(super) fn if_then_else(&mut self, node: NodeId) -> Result<Status, TickError> {
-        let (condition, branches) = self.branches(node)?;
+    pub(super) fn if_then_else(&mut self, node: NodeId) -> Result<Status, Broken> {
+        let (condition, then, otherwise) = self.branches(node)?;
         if self.slot(node).cursor == 0 {
             match self.tick(condition)? {
                 Status::Running => return Ok(Status::Running),
-                Status::Success => self.slot(node).cursor = branches[0].0,
-                Status::Failure => match branches.get(1) {
+                Status::Success => self.slot(node).cursor = then.0,
+                Status::Failure => match otherwise {
                     Some(otherwise) => self.slot(node).cursor = otherwise.0,
                     None => return Ok(self.end(node, Status::Failure)),
                 },
@@ -177,41 +177,37 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         }
     }
 
-    pub(super) fn while_do_else(&mut self, node: NodeId) -> Result<Status, TickError> {
-        let (condition, branches) = self.branches(node)?;
-        let chosen = match self.tick(condition)? {
+    pub(super) fn while_do_else(&mut self, node: NodeId) -> Result<Status, Broken> {
+        let (condition, then, otherwise) = self.branches(node)?;
+        let (chosen, other) = match self.tick(condition)? {
             Status::Running => return Ok(Status::Running),
-            Status::Success => 0,
-            Status::Failure => 1,
+            Status::Success => (Some(then), otherwise),
+            Status::Failure => (otherwise, Some(then)),
             _ => return Err(self.error(node, "expected a status from the condition, found SKIPPED")),
         };
-        if let Some(&other) = branches.get(1 - chosen) {
+        if let Some(other) = other {
             self.halt_child(other);
         }
-        let status = match branches.get(chosen) {
-            Some(&branch) => self.tick(branch)?,
+        let status = match chosen {
+            Some(branch) => self.tick(branch)?,
             None => Status::Failure,
         };
         Ok(if status == Status::Running { status } else { self.end(node, status) })
     }
 
-    /// The condition and the one or two branches.
-    fn branches(&mut self, node: NodeId) -> Result<(NodeId, Vec<NodeId>), TickError> {
+    /// The condition, the branch for its SUCCESS and the one for its FAILURE.
+    fn branches(&mut self, node: NodeId) -> Result<(NodeId, NodeId, Option<NodeId>), Broken> {
         let mut children = self.tree.children(node);
-        let condition = children.next();
-        let branches: Vec<NodeId> = children.collect();
-        match condition {
-            Some(condition) if (1..=2).contains(&branches.len()) => Ok((condition, branches)),
-            _ => {
-                let found = self.tree.children(node).count();
-                Err(self.error(node, format!("expected 2 or 3 children, found {found}")))
-            }
+        if let [Some(condition), Some(then), otherwise, None] = std::array::from_fn(|_| children.next()) {
+            return Ok((condition, then, otherwise));
         }
+        let found = self.tree.children(node).count();
+        Err(self.error(node, format!("expected 2 or 3 children, found {found}")))
     }
 
     /// The first case that equals the variable selects its child, otherwise the last child. The cursor holds the
     /// child that is RUNNING.
-    pub(super) fn switch(&mut self, node: NodeId, variable: &Source, cases: &[Source]) -> Result<Status, TickError> {
+    pub(super) fn switch(&mut self, node: NodeId, variable: &Source, cases: &[Source]) -> Result<Status, Broken> {
         let found = self.tree.children(node).count();
         if found != cases.len() + 1 {
             let cause =
@@ -238,7 +234,7 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
     }
 
     /// All but the last child are a Sequence; when it fails, the last one cleans up and the node fails.
-    pub(super) fn try_catch(&mut self, node: NodeId) -> Result<Status, TickError> {
+    pub(super) fn try_catch(&mut self, node: NodeId) -> Result<Status, Broken> {
         let Some(clean_up) = self.tree.children(node).last() else { return Ok(Status::Failure) };
         let mut child = self.resume(node);
         while child != clean_up {
@@ -265,7 +261,7 @@ impl<L, H: Host<L>, R: Recorder> Ticking<'_, L, H, R> {
         self.clean_up(node, clean_up)
     }
 
-    fn clean_up(&mut self, node: NodeId, clean_up: NodeId) -> Result<Status, TickError> {
+    fn clean_up(&mut self, node: NodeId, clean_up: NodeId) -> Result<Status, Broken> {
         match self.tick(clean_up)? {
             Status::Running => Ok(Status::Running),
             _ => Ok(self.end(node, Status::Failure)),

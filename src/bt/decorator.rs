@@ -1,11 +1,13 @@
 //! The decorators and leaves among the built-in nodes.
 
 use super::builtin::{BoundScript, Builtin, Key, LoopType, Source};
-use super::tick::{Host, TickError, Ticking};
+use super::tick::{Broken, Host, Ticking};
 use super::{NodeId, Recorder, Status, Value};
 
 impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
-    pub(super) fn tick_builtin(&mut self, node: NodeId, builtin: &'a Builtin) -> Result<Status, TickError> {
+    /// Apart from the other kinds, whose ticks stay short without it.
+    #[inline(never)]
+    pub(super) fn tick_builtin(&mut self, node: NodeId, builtin: &'a Builtin) -> Result<Status, Broken> {
         let starts = self.slot(node).status != Status::Running;
         // Decorators that may return without a tick of their child must not count as started then.
         let marks_itself = !matches!(
@@ -86,10 +88,12 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
                 self.slot(node).cursor = 0;
                 let clean_up = self.tree.children(node).last();
                 let in_clean_up = clean_up.is_some_and(|child| child.0 == in_block);
-                let wanted = self.number(node, "catch_on_halt", catch_on_halt).is_ok_and(|number| number != 0.0);
+                let wanted = self.number(node, "catch_on_halt", catch_on_halt);
+                self.broken = None;
+                let wanted = wanted.is_ok_and(|number| number != 0.0);
                 if let Some(clean_up) = clean_up.filter(|_| wanted && !in_clean_up) {
-                    if let Err(error) = self.tick(clean_up) {
-                        self.fault.get_or_insert(error);
+                    if self.tick(clean_up).is_err() {
+                        self.tell_later();
                     }
                     self.halt_child(clean_up);
                 }
@@ -104,16 +108,16 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
 
     /// The script of a mandatory port.
     fn given<'b>(
-        &self,
+        &mut self,
         node: NodeId,
         port: &str,
         script: Option<&'b BoundScript>,
-    ) -> Result<&'b BoundScript, TickError> {
+    ) -> Result<&'b BoundScript, Broken> {
         script.ok_or_else(|| self.error(node, format!("port {port}: expected a script, found no value")))
     }
 
     /// Counts successes in the slot.
-    fn repeat(&mut self, node: NodeId, num_cycles: &Source) -> Result<Status, TickError> {
+    fn repeat(&mut self, node: NodeId, num_cycles: &Source) -> Result<Status, Broken> {
         let child = NodeId(node.0 + 1);
         let cycles = self.number(node, "num_cycles", num_cycles)?;
         loop {
@@ -141,7 +145,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// Counts failures in the slot; the port is read again after each.
-    fn retry(&mut self, node: NodeId, num_attempts: &Source) -> Result<Status, TickError> {
+    fn retry(&mut self, node: NodeId, num_attempts: &Source) -> Result<Status, Broken> {
         let child = NodeId(node.0 + 1);
         let mut attempts = self.number(node, "num_attempts", num_attempts)?;
         loop {
@@ -170,7 +174,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// Milliseconds of a port as a point in time from now.
-    fn due(&mut self, node: NodeId, port: &str, source: &Source) -> Result<u64, TickError> {
+    fn due(&mut self, node: NodeId, port: &str, source: &Source) -> Result<u64, Broken> {
         let milliseconds = self.number(node, port, source)?;
         if milliseconds >= 0.0 {
             return Ok(self.memory.now.saturating_add(milliseconds as u64));
@@ -178,7 +182,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         Err(self.error(node, format!("port {port}: expected milliseconds of at least 0, found {milliseconds}")))
     }
 
-    fn delay(&mut self, node: NodeId, delay_msec: &Source) -> Result<Status, TickError> {
+    fn delay(&mut self, node: NodeId, delay_msec: &Source) -> Result<Status, Broken> {
         let due = if let Some(due) = self.memory.timer(node) {
             due
         } else {
@@ -197,7 +201,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// The slot's count is 1 once the child was halted by the timer.
-    fn timeout(&mut self, node: NodeId, msec: &Source) -> Result<Status, TickError> {
+    fn timeout(&mut self, node: NodeId, msec: &Source) -> Result<Status, Broken> {
         if self.slot(node).cursor == 0 {
             let due = self.due(node, "msec", msec)?;
             let slot = self.slot(node);
@@ -224,7 +228,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// The cursor holds the first result: 1 SUCCESS, 2 FAILURE.
-    fn run_once(&mut self, node: NodeId, then_skip: &Source) -> Result<Status, TickError> {
+    fn run_once(&mut self, node: NodeId, then_skip: &Source) -> Result<Status, Broken> {
         let skips = self.number(node, "then_skip", then_skip)? != 0.0;
         match self.slot(node).cursor {
             0 => {}
@@ -239,7 +243,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         Ok(status)
     }
 
-    fn precondition(&mut self, node: NodeId, condition: &BoundScript, otherwise: Status) -> Result<Status, TickError> {
+    fn precondition(&mut self, node: NodeId, condition: &BoundScript, otherwise: Status) -> Result<Status, Broken> {
         let continues = self.memory.status(NodeId(node.0 + 1)) == Status::Running;
         if !continues && !self.is_true(node, condition)? {
             return Ok(otherwise);
@@ -256,7 +260,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         queue: &Source,
         value: &Source,
         if_empty: Status,
-    ) -> Result<Status, TickError> {
+    ) -> Result<Status, Broken> {
         if self.slot(node).status != Status::Running {
             self.slot(node).cursor = 0;
         }
@@ -271,7 +275,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         Ok(if self.only_child(node)? == Status::Failure { Status::Failure } else { Status::Running })
     }
 
-    fn pop(&mut self, node: NodeId, of: LoopType, queue: &Source) -> Result<Option<Value>, TickError> {
+    fn pop(&mut self, node: NodeId, of: LoopType, queue: &Source) -> Result<Option<Value>, Broken> {
         let mut values = match self.memory.read(queue) {
             None => return Ok(None),
             Some(Value::Queue(values)) => values.clone(),
@@ -311,7 +315,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         node: NodeId,
         entry: super::blackboard::EntryId,
         otherwise: Status,
-    ) -> Result<Status, TickError> {
+    ) -> Result<Status, Broken> {
         if self.slot(node).count == 0 {
             let writes = self.memory.entry(entry).writes;
             let exists = self.memory.entry(entry).value.is_some();
@@ -325,7 +329,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         Ok(status)
     }
 
-    fn sleep(&mut self, node: NodeId, msec: &Source) -> Result<Status, TickError> {
+    fn sleep(&mut self, node: NodeId, msec: &Source) -> Result<Status, Broken> {
         let due = match self.memory.timer(node) {
             Some(due) => due,
             None => self.due(node, "msec", msec)?,
@@ -339,7 +343,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// Writes a literal as text, or copies an entry with its type; an empty source fails.
-    fn set_blackboard(&mut self, node: NodeId, output_key: &Key, value: &Source) -> Result<Status, TickError> {
+    fn set_blackboard(&mut self, node: NodeId, output_key: &Key, value: &Source) -> Result<Status, Broken> {
         let copied = match value {
             Source::Literal(literal) => Some(Value::Text(literal.to_string())),
             other => self.memory.read(other).cloned(),

@@ -4,7 +4,7 @@
 //! child; a node that completes resets its children (RUNNING ones are halted); SKIPPED is told to the parent
 //! but not remembered; the root is reset after it completes, so the next tick starts afresh.
 
-use super::builtin::{BoundScript, Builtin, Extra, Source};
+use super::builtin::{BoundScript, Builtin, Scripts, Source};
 use super::memory::{Memory, Ports, Slot};
 use super::{Kind, NodeId, Recorder, Status, Tree, Value};
 use std::fmt;
@@ -58,18 +58,17 @@ pub fn tick_exactly_once<L, H: Host<L>, R: Recorder>(
     recorder: &mut R,
 ) -> Result<Status, TickError> {
     debug_assert_eq!(memory.slots.len(), tree.nodes().len(), "memory of another tree");
-    let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
-    let mut result = ticking.tick(NodeId(0));
-    match &result {
-        Ok(status) if status.is_completed() => ticking.slot(NodeId(0)).status = Status::Idle,
-        Ok(_) => {}
-        Err(_) => ticking.halt_child(NodeId(0)),
-    }
-    if let (Some(fault), true) = (ticking.fault.take(), result.is_ok()) {
-        result = Err(fault);
+    let mut ticking = Ticking { tree, memory, host, recorder, fault: None, broken: None };
+    let result = ticking.tick(NodeId(0));
+    if let Some(error) = ticking.broken.take().or(ticking.fault.take()) {
         ticking.halt_child(NodeId(0));
+        return Err(error);
     }
-    result
+    let status = result.unwrap_or_default();
+    if status.is_completed() {
+        ticking.slot(NodeId(0)).status = Status::Idle;
+    }
+    Ok(status)
 }
 
 /// As [`tick_exactly_once`], and again while the root is RUNNING and a wake-up is pending.
@@ -88,9 +87,10 @@ pub fn tick_once<L, H: Host<L>, R: Recorder>(
             return Ok(status);
         }
     }
-    let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
+    let mut ticking = Ticking { tree, memory, host, recorder, fault: None, broken: None };
     ticking.halt_child(NodeId(0));
-    Err(ticking.error(NodeId(0), format!("expected an end within {MOST_PASSES} passes of one tick, found none")))
+    ticking.error(NodeId(0), format!("expected an end within {MOST_PASSES} passes of one tick, found none"));
+    ticking.broken.map_or(Ok(Status::Running), Err)
 }
 
 /// Halts the whole tree: RUNNING leaves are told, every node becomes IDLE.
@@ -103,7 +103,7 @@ pub fn halt_tree<L, H: Host<L>, R: Recorder>(
     host: &mut H,
     recorder: &mut R,
 ) -> Result<(), TickError> {
-    let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
+    let mut ticking = Ticking { tree, memory, host, recorder, fault: None, broken: None };
     ticking.halt_child(NodeId(0));
     ticking.reset_children(NodeId(0));
     ticking.fault.map_or(Ok(()), Err)
@@ -123,7 +123,7 @@ pub fn pass_time<L, H: Host<L>, R: Recorder>(
 ) -> Result<(), TickError> {
     let before = memory.now;
     memory.now = memory.now.saturating_add(milliseconds);
-    let mut ticking = Ticking { tree, memory, host, recorder, fault: None };
+    let mut ticking = Ticking { tree, memory, host, recorder, fault: None, broken: None };
     for node in (0..ticking.memory.timers.len() as u32).map(NodeId) {
         if !ticking.memory.timer(node).is_some_and(|due| due > before && due <= ticking.memory.now) {
             continue;
@@ -148,29 +148,27 @@ pub(super) struct Ticking<'a, L, H, R> {
     pub recorder: &'a mut R,
     /// The first fault of a script that ran at a halt, where no status can carry it.
     pub fault: Option<TickError>,
+    /// The error behind a [`Broken`].
+    pub broken: Option<TickError>,
 }
+
+/// Says that the tick has ended with an error, which lies in [`Ticking::broken`]: a status or this fit in one byte, so
+/// that nodes hand their statuses up in a register.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Broken;
 
 impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     pub(super) fn slot(&mut self, node: NodeId) -> &mut Slot {
         &mut self.memory.slots[node.index()]
     }
 
-    pub(super) fn tick(&mut self, node: NodeId) -> Result<Status, TickError> {
+    pub(super) fn tick(&mut self, node: NodeId) -> Result<Status, Broken> {
         let tree: &'a Tree<L> = self.tree;
-        let extra = if H::PLAIN { None } else { tree.extra(node) };
-        let decided = extra.map_or(Ok(None), |extra| self.check_before(node, extra))?;
-        let status = match decided {
-            Some(status) => status,
+        let scripts = if H::PLAIN { None } else { tree.extra(node).and_then(|extra| extra.scripts.as_deref()) };
+        let status = match scripts {
+            Some(scripts) => self.tick_with(node, scripts)?,
             None => self.tick_kind(node, &tree.nodes()[node.index()].kind)?,
         };
-        if status.is_completed()
-            && let Some(extra) = extra
-        {
-            let own = if status == Status::Success { &extra.after[0] } else { &extra.after[1] };
-            for script in [own, &extra.after[2]].into_iter().flatten() {
-                self.run(node, script)?;
-            }
-        }
         self.slot(node).status = if status == Status::Skipped { Status::Idle } else { status };
         if R::RECORDING {
             self.recorder.returned(node, status);
@@ -178,7 +176,24 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         Ok(status)
     }
 
-    fn tick_kind(&mut self, node: NodeId, kind: &'a Kind<L>) -> Result<Status, TickError> {
+    /// A tick between the scripts of the node; apart, so that the ticks of nodes without scripts stay short.
+    #[inline(never)]
+    fn tick_with(&mut self, node: NodeId, scripts: &'a Scripts) -> Result<Status, Broken> {
+        let tree: &'a Tree<L> = self.tree;
+        let status = match self.check_before(node, scripts)? {
+            Some(status) => status,
+            None => self.tick_kind(node, &tree.nodes()[node.index()].kind)?,
+        };
+        if status.is_completed() {
+            let own = if status == Status::Success { &scripts.after[0] } else { &scripts.after[1] };
+            for script in [own, &scripts.after[2]].into_iter().flatten() {
+                self.run(node, script)?;
+            }
+        }
+        Ok(status)
+    }
+
+    fn tick_kind(&mut self, node: NodeId, kind: &'a Kind<L>) -> Result<Status, Broken> {
         if !matches!(kind, Kind::Leaf(_) | Kind::Builtin(_)) && self.slot(node).status != Status::Running {
             let slot = self.slot(node);
             slot.status = Status::Running;
@@ -210,11 +225,11 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// Pre-conditions, in the order `_failureIf`, `_successIf`, `_skipIf`, `_while`: the status they decide, if any.
-    fn check_before(&mut self, node: NodeId, extra: &Extra) -> Result<Option<Status>, TickError> {
+    fn check_before(&mut self, node: NodeId, scripts: &Scripts) -> Result<Option<Status>, Broken> {
         let status = self.slot(node).status;
         if status == Status::Idle {
             let decide = [Status::Failure, Status::Success, Status::Skipped];
-            for (script, decided) in extra.before.iter().zip(decide) {
+            for (script, decided) in scripts.before.iter().zip(decide) {
                 if let Some(script) = script
                     && self.is_true(node, script)?
                 {
@@ -222,7 +237,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
                 }
             }
         }
-        if let Some(guard) = &extra.before[3]
+        if let Some(guard) = &scripts.before[3]
             && matches!(status, Status::Idle | Status::Running)
             && !self.is_true(node, guard)?
         {
@@ -233,7 +248,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// Ticks the only child, and resets it when it completes.
-    pub(super) fn only_child(&mut self, node: NodeId) -> Result<Status, TickError> {
+    pub(super) fn only_child(&mut self, node: NodeId) -> Result<Status, Broken> {
         let child = NodeId(node.0 + 1);
         let status = self.tick(child)?;
         if status.is_completed() {
@@ -242,12 +257,12 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         Ok(status)
     }
 
-    pub(super) fn run(&mut self, node: NodeId, script: &BoundScript) -> Result<Value, TickError> {
+    pub(super) fn run(&mut self, node: NodeId, script: &BoundScript) -> Result<Value, Broken> {
         self.memory.run(script, node).map_err(|cause| self.error(node, cause))
     }
 
     /// Whether a script's value is true: a number other than 0, or a text that is not empty.
-    pub(super) fn is_true(&mut self, node: NodeId, script: &BoundScript) -> Result<bool, TickError> {
+    pub(super) fn is_true(&mut self, node: NodeId, script: &BoundScript) -> Result<bool, Broken> {
         Ok(match self.run(node, script)? {
             Value::Number(number) => number != 0.0,
             Value::Text(text) => !text.is_empty(),
@@ -256,7 +271,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// The number of a port; a text is read as one.
-    pub(super) fn number(&mut self, node: NodeId, port: &str, source: &Source) -> Result<f64, TickError> {
+    pub(super) fn number(&mut self, node: NodeId, port: &str, source: &Source) -> Result<f64, Broken> {
         let found = match self.memory.read(source) {
             Some(Value::Number(number)) => return Ok(*number),
             Some(Value::Text(text)) => match text.trim() {
@@ -273,11 +288,20 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         Err(self.error(node, format!("port {port}: expected a number, found {found}")))
     }
 
-    pub(super) fn error(&self, node: NodeId, cause: impl Into<String>) -> TickError {
+    /// Notes why the tick has ended.
+    #[cold]
+    pub(super) fn error(&mut self, node: NodeId, cause: impl Into<String>) -> Broken {
         let kind = self.tree.nodes()[node.index()].kind.name();
         let name = self.tree.extra(node).map_or("", |extra| extra.name.as_str());
         let name = if name.is_empty() || name == kind { kind.to_owned() } else { format!("{kind} \"{name}\"") };
-        TickError { node, name, cause: cause.into() }
+        self.broken = Some(TickError { node, name, cause: cause.into() });
+        Broken
+    }
+
+    /// Keeps an error that no status can carry until the end of the tick; only the first is told.
+    pub(super) fn tell_later(&mut self) {
+        let error = self.broken.take();
+        self.fault = self.fault.take().or(error);
     }
 
     pub(super) fn reset_children(&mut self, node: NodeId) {
@@ -289,21 +313,28 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
 
     /// Halts `node` if it is RUNNING, children first, and makes it IDLE. A completed node has no live children,
     /// except that SequenceWithMemory keeps its earlier ones done after a failure.
+    #[inline]
     pub(super) fn halt_child(&mut self, node: NodeId) {
-        let tree: &'a Tree<L> = self.tree;
         if self.slot(node).status == Status::Running {
-            self.halt_kind(node, &tree.nodes()[node.index()].kind);
-            if !H::PLAIN
-                && let Some(script) = tree.extra(node).and_then(|extra| extra.after[3].as_ref())
-                && let Err(error) = self.run(node, script)
-            {
-                self.fault.get_or_insert(error);
-            }
-            if R::RECORDING {
-                self.recorder.halted(node);
-            }
+            self.halt_running(node);
         }
         self.slot(node).status = Status::Idle;
+    }
+
+    #[inline(never)]
+    fn halt_running(&mut self, node: NodeId) {
+        let tree: &'a Tree<L> = self.tree;
+        self.halt_kind(node, &tree.nodes()[node.index()].kind);
+        if !H::PLAIN
+            && let Some(scripts) = tree.extra(node).and_then(|extra| extra.scripts.as_deref())
+            && let Some(script) = &scripts.after[3]
+            && self.run(node, script).is_err()
+        {
+            self.tell_later();
+        }
+        if R::RECORDING {
+            self.recorder.halted(node);
+        }
     }
 
     fn halt_kind(&mut self, node: NodeId, kind: &'a Kind<L>) {

@@ -42,6 +42,8 @@ enum Command {
     Study(cli::study::StudyArguments),
     /// Print the report on the results of a study, as Markdown
     Report(cli::report::ReportArguments),
+    /// Print which of a paper's claims the results bear out, as Markdown
+    Reproduction(cli::report::ReproductionArguments),
     /// Put the results of a study's shards into one file, in the order of the runs
     Merge(cli::report::MergeArguments),
     /// Measure how fast a scenario runs and print the result as one line of JSON
@@ -103,6 +105,7 @@ fn main() -> ExitCode {
         Command::Tree { what } => tree(&what),
         Command::Study(arguments) => cli::study::study(&arguments),
         Command::Report(arguments) => cli::report::report(&arguments),
+        Command::Reproduction(arguments) => cli::report::reproduction(&arguments),
         Command::Merge(arguments) => cli::report::merge(&arguments),
         Command::Bench { scenario, steps } => bench(&scenario, steps),
     };

@@ -20,6 +20,12 @@ impl Seed {
         (value <= Self::MAX).then_some(Self(value))
     }
 
+    /// The seed of a start within a run, unrelated to the run's own.
+    #[must_use]
+    pub fn of_restart(self, purpose: Purpose) -> Self {
+        Self(stream(self, purpose, 0).random::<u64>() >> 11)
+    }
+
     /// The number as the user wrote it.
     #[must_use]
     pub fn value(self) -> u64 {
@@ -42,6 +48,8 @@ pub enum Purpose {
     Evolution = 5,
     /// Where obstacles and traps stand.
     Terrain = 6,
+    /// The second start of a world, in which fixed programs are tested.
+    Settlement = 7,
 }
 
 /// The stream of one purpose, and of one agent where agents draw (`index` 0 otherwise).

@@ -139,3 +139,62 @@ fn what_is_no_population_is_refused_with_the_path() {
         "members[0].genome: expected codons of a program of the grammar, found none"
     );
 }
+
+#[test]
+fn learning_ends_in_a_fresh_world_with_programs_of_the_swarm() {
+    let mut one = world(|params| {
+        params.learning_steps = 60;
+        params.population_form = PopulationForm::Homogeneous;
+    })
+    .expect("it builds");
+    (0..60).for_each(|_| one.step());
+    let learned: BTreeSet<String> = programs(&mut one).into_iter().collect();
+    one.step();
+    let fixed: BTreeSet<String> = programs(&mut one).into_iter().collect();
+    assert_eq!(fixed.len(), 1, "copies of one");
+    assert!(fixed.is_subset(&learned), "a program that was learned");
+    assert!(one.outcome().delivered == 0 && one.outcome().finished.is_none(), "the task starts afresh");
+    (0..50).for_each(|_| one.step());
+    assert_eq!(programs(&mut one).into_iter().collect::<BTreeSet<String>>(), fixed, "nobody evolves");
+}
+
+#[test]
+fn programs_in_turns_are_those_of_the_population_and_change_as_often_as_the_turn_says() {
+    let mut source = evolved();
+    let known: BTreeSet<String> = programs(&mut source).into_iter().collect();
+    let saved = Population::of(&source).write();
+    let mut turns = world(|params| {
+        (params.evolution, params.population_form, params.population_share) = (false, PopulationForm::Multiplexed, 1.0);
+        (params.population, params.dwell) = (saved.clone(), 4.0);
+    })
+    .expect("it builds");
+    let mut seen = BTreeSet::new();
+    for _ in 0..200 {
+        turns.step();
+        seen.extend(programs(&mut turns));
+    }
+    assert!(seen.is_subset(&known), "no other program");
+    assert!(seen.len() * 10 > known.len() * 9, "nearly all come up: {} of {}", seen.len(), known.len());
+    // 30 agents in 200 steps take up a program with probability 1/4: 1500, deviation 33.5; five of those.
+    let swaps: u32 = turns.state().history().iter().map(|sample| sample.swaps).sum();
+    assert!((1332..=1668).contains(&swaps), "{swaps} changes");
+}
+
+#[test]
+fn the_second_start_is_the_same_whatever_came_before_in_the_timeline() {
+    let build = || {
+        world(|params| {
+            params.learning_steps = 40;
+            params.population_form = PopulationForm::Multiplexed;
+        })
+        .expect("it builds")
+    };
+    let mut straight = build();
+    (0..30).for_each(|_| straight.step());
+    let keyframe = straight.state().clone();
+    (0..40).for_each(|_| straight.step());
+    let mut again = build();
+    again.restore(&keyframe);
+    (0..40).for_each(|_| again.step());
+    assert_eq!(again.fingerprint(), straight.fingerprint());
+}

@@ -3,10 +3,11 @@
 use super::study::{read_study, replace, spec_path};
 use super::{Failure, in_file, print, read_file};
 use clap::Args;
+use std::collections::BTreeMap;
 use std::fs::{self, OpenOptions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use swarm_playground::study::{Results, Size, Study};
+use swarm_playground::study::{Claims, Results, Size, Study};
 
 /// Arguments of `report`.
 #[derive(Args)]
@@ -33,6 +34,32 @@ pub struct MergeArguments {
     /// The study file [default: the one that was written beside the first results]
     #[arg(long)]
     study: Option<PathBuf>,
+}
+
+/// Arguments of `reproduction`.
+#[derive(Args)]
+pub struct ReproductionArguments {
+    /// The claims of a paper
+    #[arg(default_value = "studies/claims/betr-geese.json")]
+    claims: PathBuf,
+    /// The folder with the results files of the studies that the claims name
+    #[arg(long, default_value = "results")]
+    results: PathBuf,
+}
+
+/// Prints which claims the results bear out. A study without a results file counts as not run.
+pub fn reproduction(arguments: &ReproductionArguments) -> Result<(), Failure> {
+    let text = read_file(&arguments.claims)?;
+    let claims = Claims::read(&text).map_err(|error| in_file(&arguments.claims, &error))?;
+    let mut all = BTreeMap::new();
+    for study in claims.studies() {
+        let path = arguments.results.join(format!("{study}.csv"));
+        if path.exists() {
+            all.insert(study.to_owned(), read_results(&path, None)?);
+        }
+    }
+    let document = claims.document(&all).map_err(|error| in_file(&arguments.claims, &error))?;
+    print(document.trim_end())
 }
 
 /// Prints the report.

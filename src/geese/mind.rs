@@ -1,6 +1,7 @@
 //! An agent's controller and all that evolution needs of it: genome, program, fitness and stored genomes.
 
 use super::leaf::{Leaf, Tag};
+use super::program::Compiler;
 use super::visited::Visited;
 use crate::bt::{Kind, Memory, NodeId, Recorder, Status, Tree};
 use crate::evolution::Genome;
@@ -67,6 +68,18 @@ pub struct Mind {
 }
 
 impl Mind {
+    /// Makes the genome, which the agent has just been given, its program from the next step on.
+    pub fn take_up(&mut self, compiler: &mut Compiler, tick: u32) {
+        self.fitness = 0.0;
+        self.visited.clear();
+        self.since = tick;
+        self.swaps += 1;
+        std::mem::swap(&mut self.program, &mut self.replaced);
+        let valid = compiler.compile(&self.genome.codons, &mut self.program.tree);
+        debug_assert!(valid.is_ok(), "the survey found the genome valid");
+        self.program.renew();
+    }
+
     /// The program that was ticked in step `tick`.
     #[must_use]
     pub fn ran(&self, tick: u32) -> &Program {

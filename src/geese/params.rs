@@ -37,8 +37,10 @@ pub struct Params {
     pub drop_rule: DropRule,
     pub is_dropable: IsDropable,
     pub evolution: bool,
+    pub learning_steps: u32,
     pub population_form: PopulationForm,
     pub population_share: f64,
+    pub dwell: f64,
     pub population: String,
     pub genome_length: u16,
     pub codon_max: u16,
@@ -203,6 +205,8 @@ pub enum PopulationForm {
     Heterogeneous,
     /// Each agent gets all of the fittest under one root.
     Blended,
+    /// Each agent runs one of the fittest for a while, then another.
+    Multiplexed,
 }
 
 /// Where two parents are cut.
@@ -270,8 +274,10 @@ impl Default for Params {
             drop_rule: DropRule::Anywhere,
             is_dropable: IsDropable::Always,
             evolution: true,
+            learning_steps: 0,
             population_form: PopulationForm::AsSaved,
             population_share: 0.5,
+            dwell: 3.0,
             population: String::new(),
             genome_length: 100,
             codon_max: 255,
@@ -351,6 +357,8 @@ impl Params {
                 put_word(&mut self.is_dropable, &[IsDropable::Always, IsDropable::Kind, IsDropable::Standing], value)
             }
             "evolution" => value.as_bool().is_some_and(|on| put(&mut self.evolution, on)),
+            "learning-steps" => put_whole(&mut self.learning_steps, value),
+            "dwell" => value.as_f64().is_some_and(|real| put(&mut self.dwell, real)),
             "population-form" => put_word(
                 &mut self.population_form,
                 &[
@@ -358,6 +366,7 @@ impl Params {
                     PopulationForm::Homogeneous,
                     PopulationForm::Heterogeneous,
                     PopulationForm::Blended,
+                    PopulationForm::Multiplexed,
                 ],
                 value,
             ),

@@ -1,10 +1,12 @@
 //! Evolved populations: saved with their fitness, and dealt out again to agents that evolve on or stay as they are.
 
 use super::leaf::Leaf;
+use super::mind::Mind;
 use super::params::{Params, PopulationForm};
 use super::program::{Compiler, placeholder};
 use super::world::World;
 use crate::bt::{Builder, Kind, NodeId, Tree};
+use crate::evolution::Genome;
 use crate::random::{Purpose, Seed, stream};
 use rand::RngExt;
 use serde_json::{Value, json};
@@ -33,7 +35,10 @@ impl Population {
     /// The population of a world as it stands.
     #[must_use]
     pub fn of(world: &World) -> Self {
-        let minds = &world.state().minds;
+        Self::of_minds(&world.state().minds)
+    }
+
+    pub(super) fn of_minds(minds: &[Mind]) -> Self {
         Self {
             members: minds
                 .iter()
@@ -91,12 +96,29 @@ impl Population {
         let count = match params.population_form {
             PopulationForm::AsSaved => return self.members.iter().collect(),
             PopulationForm::Homogeneous => 1,
-            PopulationForm::Heterogeneous | PopulationForm::Blended => {
+            PopulationForm::Heterogeneous | PopulationForm::Blended | PopulationForm::Multiplexed => {
                 ((sorted.len() as f64 * params.population_share) as usize).max(1)
             }
         };
         sorted.truncate(count);
         sorted
+    }
+
+    /// The genomes among which multiplexed agents choose, surveyed; none in the other forms.
+    ///
+    /// An answer to the question with which the paper's section 5 ends: fixed programs fail because none solves the whole
+    /// task, and what evolution adds while it runs is that every robot changes its program all the time. Here nothing
+    /// evolves any more, but the changing stays.
+    pub fn turns(&self, params: &Params, compiler: &mut Compiler) -> Vec<Known> {
+        if params.population_form != PopulationForm::Multiplexed {
+            return Vec::new();
+        }
+        let known = |member: &&Member| {
+            let mut genome = Genome { codons: member.genome.clone(), ..Genome::default() };
+            let survey = compiler.survey(&mut genome, None)?;
+            Some(Known { genome, diversity: compiler.diversity(survey.names) })
+        };
+        self.chosen(params).iter().filter_map(known).collect()
     }
 
     /// The controller of each agent: codons and tree. Members are dealt out in turns; a blended agent has them all
@@ -141,6 +163,15 @@ impl Population {
                 .collect(),
         })
     }
+}
+
+/// A program of a fixed population.
+#[derive(Clone, Debug)]
+pub struct Known {
+    /// Its genome, mapped.
+    pub genome: Genome,
+    /// Its diversity.
+    pub diversity: f64,
 }
 
 /// The controller of one agent.

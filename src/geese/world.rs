@@ -6,7 +6,7 @@ use super::field::Field;
 use super::mind::{Feedback, Mind, Program, Storage};
 use super::near::Near;
 use super::params::{Activation, Params, StorageContent, SwapRule, Task};
-use super::population::{Dealt, Population};
+use super::population::{Dealt, Known, Population};
 use super::program::{Compiler, placeholder};
 use super::visited::Visited;
 use crate::bt::{Memory, tick_once};
@@ -15,6 +15,7 @@ use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, stream};
 use rand::RngExt;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Steps between two samples of the history.
 pub const SAMPLE_EVERY: u32 = 20;
@@ -23,6 +24,7 @@ pub const SAMPLE_EVERY: u32 = 20;
 #[derive(Clone, Debug)]
 pub struct World {
     params: Params,
+    seed: Seed,
     breeder: Breeder,
     near: Near,
     state: State,
@@ -35,6 +37,10 @@ pub struct State {
     pub(super) field: Field,
     pub(super) bodies: Vec<Body>,
     pub(super) minds: Vec<Mind>,
+    /// Whether programs evolve.
+    learning: bool,
+    /// The programs of a fixed population that runs them in turns.
+    turns: Arc<[Known]>,
     activation: Stream,
     order: Vec<u32>,
     /// Agents that have touched no trap.
@@ -114,12 +120,12 @@ impl World {
         let mut breeder = Breeder::new(params.check()?, params);
         let field = Field::new(params, seed)?;
         let agents = 0..params.agents;
-        let bodies = agents.clone().map(|id| Body::new(stream(seed, Purpose::Walk, id))).collect();
-        let mut dealt = Vec::new();
+        let (mut dealt, mut turns) = (Vec::new(), Vec::new());
         if !params.population.trim().is_empty() {
-            let population = Population::read(&params.population);
-            let deal = population.and_then(|population| population.deal(params, seed, &mut breeder.compiler));
+            let population = Population::read(&params.population).map_err(|message| ("population", message))?;
+            let deal = population.deal(params, seed, &mut breeder.compiler);
             dealt = deal.map_err(|message| ("population", message))?;
+            turns = population.turns(params, &mut breeder.compiler);
         }
         let mut dealt = dealt.into_iter();
         let minds = agents
@@ -136,8 +142,10 @@ impl World {
         let mut state = State {
             tick: 0,
             field,
-            bodies,
+            bodies: bodies(params, seed),
             minds,
+            learning: params.evolution,
+            turns: turns.into(),
             activation: stream(seed, Purpose::Activation, 0),
             order: (0..params.agents).collect(),
             alive: params.agents,
@@ -146,7 +154,7 @@ impl World {
             history: Vec::new(),
         };
         state.sample();
-        Ok(Self { params: params.clone(), breeder, near: Near::new(params.agents), state })
+        Ok(Self { params: params.clone(), seed, breeder, near: Near::new(params.agents), state })
     }
 
     /// The parameters in force.
@@ -182,7 +190,8 @@ impl World {
     pub fn outcome(&self) -> Outcome {
         let (delivered, items) = (self.state.field.delivered(), self.params.item_count());
         let share = f64::from(delivered) / f64::from(items);
-        let finished = if delivered == items {
+        let is_test = self.params.learning_steps == 0 || !self.state.learning;
+        let finished = if delivered == items && is_test {
             Some(match self.params.task {
                 Task::Forage => Finished::AllDelivered,
                 Task::Nest => Finished::AllRemoved,
@@ -203,9 +212,13 @@ impl World {
         if self.outcome().finished.is_some() {
             return;
         }
-        let Self { params, breeder, near, state } = self;
+        if self.state.learning && self.params.learning_steps > 0 && self.state.tick >= self.params.learning_steps {
+            self.settle();
+        }
+        let Self { params, breeder, near, state, .. } = self;
         state.tick += 1;
         state.swaps = 0;
+        let in_turns = !state.learning && !state.turns.is_empty();
         match params.activation {
             Activation::Index => state.order.sort_unstable(),
             Activation::Shuffled => {
@@ -220,16 +233,42 @@ impl World {
             if !state.bodies[agent as usize].alive {
                 continue;
             }
+            if in_turns {
+                state.turn_to_another(params, breeder, agent);
+            }
             state.tick_program(params, agent);
             if !state.bodies[agent as usize].alive {
                 state.alive -= 1;
-            } else if params.evolution {
+            } else if state.learning {
                 state.meet(params, breeder, near, agent);
             }
         }
         state.swaps_since_sample += state.swaps;
         if state.tick.is_multiple_of(SAMPLE_EVERY) {
             state.sample();
+        }
+    }
+
+    /// Ends the learning: the programs become a fixed population, and the task starts afresh, with new places.
+    ///
+    /// Source: BeTr-GEESE, section 5; the places are new, so that nothing but the programs is kept (our choice).
+    fn settle(&mut self) {
+        let Self { params, seed, breeder, state, .. } = self;
+        state.learning = false;
+        let seed = seed.of_restart(Purpose::Settlement);
+        let population = Population::of_minds(&state.minds);
+        let (Ok(field), Ok(dealt)) = (Field::new(params, seed), population.deal(params, seed, &mut breeder.compiler))
+        else {
+            debug_assert!(false, "the world could be built once, and its own genomes are valid");
+            return;
+        };
+        state.turns = population.turns(params, &mut breeder.compiler).into();
+        (state.field, state.bodies, state.alive) = (field, bodies(params, seed), params.agents);
+        for (id, dealt) in (0..).zip(dealt) {
+            let [genesis, evolution] = [Purpose::Genesis, Purpose::Evolution].map(|purpose| stream(seed, purpose, id));
+            if let Some(mind) = new_mind(breeder, params, genesis, evolution, Some(dealt)) {
+                state.minds[id as usize] = Mind { since: state.tick, ..mind };
+            }
         }
     }
 
@@ -249,6 +288,10 @@ impl World {
         }
         hash.finish()
     }
+}
+
+fn bodies(params: &Params, seed: Seed) -> Vec<Body> {
+    (0..params.agents).map(|id| Body::new(stream(seed, Purpose::Walk, id))).collect()
 }
 
 /// A mind with a random program, or with one of a saved population.
@@ -380,18 +423,25 @@ impl State {
         if let Some(Best { genome, diversity }) = winner {
             mind.genome.clone_from(genome);
             mind.diversity = diversity;
-            mind.fitness = 0.0;
-            mind.visited.clear();
-            mind.since = self.tick;
-            mind.swaps += 1;
+            mind.take_up(&mut breeder.compiler, self.tick);
             self.swaps += 1;
-            std::mem::swap(&mut mind.program, &mut mind.replaced);
-            let compiled = breeder.compiler.compile(&mind.genome.codons, &mut mind.program.tree);
-            debug_assert!(compiled.is_ok(), "the survey found the genome valid");
-            mind.program.renew();
         }
         mind.storage = storage;
         mind.evolution = rng;
+    }
+
+    /// Gives the agent another program of the fixed population, once in a while.
+    fn turn_to_another(&mut self, params: &Params, breeder: &mut Breeder, agent: u32) {
+        let mind = &mut self.minds[agent as usize];
+        if mind.evolution.random_bool(1.0 / params.dwell) {
+            let Known { genome, diversity } =
+                &self.turns[mind.evolution.random_range(0..self.turns.len() as u32) as usize];
+            mind.genome.clone_from(genome);
+            mind.diversity = *diversity;
+            // As if at the end of the step before: it is ticked in this one.
+            mind.take_up(&mut breeder.compiler, self.tick - 1);
+            self.swaps += 1;
+        }
     }
 
     /// Each agent with the id of the program it ran in the last step, agents of one program side by side.

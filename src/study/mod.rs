@@ -5,6 +5,7 @@
 //! go on at once, nor where they are made, shows in the results.
 
 mod cells;
+mod claims;
 mod fields;
 mod figure;
 mod metrics;
@@ -16,6 +17,7 @@ mod spec;
 pub mod statistics;
 
 pub use cells::{Cell, Presets};
+pub use claims::Claims;
 pub use fields::StudyError;
 pub use metrics::{Form, Metric};
 pub use plan::{Figure, FigureKind, PaperValue, Test, TestKind};

@@ -5,6 +5,8 @@ mod table;
 mod tests;
 mod words;
 
+pub(super) use words::{interval, number, of_metric, p, table};
+
 use super::figure::draw;
 use super::metrics::Metric;
 use super::results::Results;

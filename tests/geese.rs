@@ -208,3 +208,36 @@ fn groups_count_every_agent_once() {
 fn held_first(detail: &serde_json::Value) -> u32 {
     detail["tree"]["agents"][0].as_u64().expect("a number") as u32
 }
+
+#[test]
+fn the_shown_parts_of_fitness_add_up_to_it() {
+    let params = Params {
+        agents: 30,
+        swap_rule: SwapRule::Always,
+        fitness_prospective: true,
+        fitness_task: true,
+        fitness_memory: 0.8,
+        site_distance: 0.0, // food is carried home in a few steps
+        ..Params::default()
+    };
+    let mut world = World::new(&params, Seed::new(5).expect("small")).expect("it builds");
+    let mut before = [0.0; 30];
+    let mut summed = 0;
+    while world.state().tick() < 120 {
+        world.step();
+        for id in 0..30 {
+            let query = Query { agent: Some(id), ..Query::default() };
+            let agent = serde_json::to_value(Detail::of(&mut world, &query)).expect("it is JSON")["agent"].clone();
+            let part = |name: &str| agent[name].as_f64().expect("a number");
+            let counts = agent["counts"].as_array().expect("a list");
+            let sum: f64 = counts.iter().map(|name| part(name.as_str().expect("a name"))).sum();
+            if part("since_swap") > 0.0 {
+                let expected = part("memory") * before[id as usize] + sum;
+                assert!((part("fitness") - expected).abs() < 1e-9, "agent {id}: {agent}"); // sums in another order
+                summed += 1;
+            }
+            before[id as usize] = part("fitness");
+        }
+    }
+    assert!(summed > 100 && world.outcome().delivered > 0, "{summed} sums");
+}

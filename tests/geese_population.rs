@@ -198,3 +198,12 @@ fn the_second_start_is_the_same_whatever_came_before_in_the_timeline() {
     (0..40).for_each(|_| again.step());
     assert_eq!(again.fingerprint(), straight.fingerprint());
 }
+
+#[test]
+fn a_file_says_where_it_comes_from_and_is_read_like_one_that_does_not() {
+    let population = Population::of(&evolved());
+    let text = population.write_with("A \"title\"", Seed::new(42).expect("small"), 60);
+    let value: Value = serde_json::from_str(&text).expect("it is JSON");
+    assert_eq!((&value["title"], &value["seed"], &value["tick"]), (&json!("A \"title\""), &json!(42), &json!(60)));
+    assert!(Population::read(&text) == Ok(population), "the same members");
+}

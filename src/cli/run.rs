@@ -7,7 +7,6 @@ use std::fs::OpenOptions;
 use std::io::{IsTerminal, Write, stderr};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use swarm_playground::geese::Population;
 use swarm_playground::scenario::{Run, Scenario};
 
 /// What `run` takes.
@@ -52,9 +51,9 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
         progress.show(&run);
     }
     progress.clear();
-    if let (Some(path), Some(world)) = (&arguments.save_population, run.geese()) {
+    if let (Some(path), Some(population)) = (&arguments.save_population, run.population()) {
         let created = OpenOptions::new().write(true).create_new(true).open(path);
-        let written = created.and_then(|mut file| file.write_all(Population::of(world).write().as_bytes()));
+        let written = created.and_then(|mut file| file.write_all(population.as_bytes()));
         written.map_err(|error| in_file(path, &format!("cannot be written: {error}")))?;
     }
     let result = json!({

@@ -83,7 +83,10 @@ struct Agent {
     exploration: usize,
     feedback: i32,
     prospective: u32,
+    /// As the agent's last tick counted it: agents that moved later in the step may have delivered more.
     task: u32,
+    /// The blend factor beta.
+    memory: f64,
     /// The fitness types that count in this scenario.
     counts: Vec<&'static str>,
     since_swap: u32,
@@ -278,7 +281,8 @@ fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
         exploration: mind.visited.count(),
         feedback: mind.feedback,
         prospective: u32::from(body.load.is_some()),
-        task: field.delivered(),
+        task: mind.task,
+        memory: params.fitness_memory,
         counts: counted(params),
         since_swap: state.tick - mind.since,
         swaps: mind.swaps,

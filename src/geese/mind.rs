@@ -59,6 +59,8 @@ pub struct Mind {
     pub fitness: f64,
     /// Feedback B of the last step.
     pub feedback: i32,
+    /// Items delivered by the whole swarm when the program was ticked last.
+    pub task: u32,
     /// Squares visited since the program was taken up; their number is exploration E.
     pub visited: Visited,
     /// Genomes of other agents.

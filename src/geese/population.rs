@@ -50,6 +50,19 @@ impl Population {
     /// The text of a population file.
     #[must_use]
     pub fn write(&self) -> String {
+        self.text("")
+    }
+
+    /// As [`Population::write`], with the run and the tick the population comes from: for people, and not read again.
+    ///
+    /// - `title`: of the scenario; empty for a nameless one.
+    #[must_use]
+    pub fn write_with(&self, title: &str, seed: Seed, tick: u32) -> String {
+        let title = Value::from(title);
+        self.text(&format!("  \"title\": {title},\n  \"seed\": {},\n  \"tick\": {tick},\n", seed.value()))
+    }
+
+    fn text(&self, origin: &str) -> String {
         let members: Vec<String> = self
             .members
             .iter()
@@ -58,7 +71,7 @@ impl Population {
         let version = env!("CARGO_PKG_VERSION");
         let list = members.join(",\n    ");
         format!(
-            "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": \"{version}\",\n  \"members\": [\n    {list}\n  ]\n}}\n"
+            "{{\n  \"format\": \"{FORMAT}\",\n  \"version\": \"{version}\",\n{origin}  \"members\": [\n    {list}\n  ]\n}}\n"
         )
     }
 

@@ -323,6 +323,7 @@ fn new_mind(
         diversity: breeder.compiler.diversity(survey.names),
         fitness: 0.0,
         feedback: 0,
+        task: 0,
         visited: Visited::new(params.arena_size),
         storage: Storage::default(),
         evolution,
@@ -356,6 +357,7 @@ impl State {
         let ticked = tick_once(tree, memory, &mut actor, &mut feedback);
         debug_assert!(ticked.is_ok(), "evolved trees have no node whose tick can fail");
         mind.feedback = feedback.sum;
+        mind.task = self.field.delivered();
         mind.visited.mark(self.field.agents.point(agent));
         let carrying = self.bodies[agent as usize].load.is_some();
         let types = [
@@ -363,7 +365,7 @@ impl State {
             (params.fitness_exploration, mind.visited.count() as f64),
             (params.fitness_feedback, f64::from(feedback.sum)),
             (params.fitness_prospective, f64::from(u8::from(carrying))),
-            (params.fitness_task, f64::from(self.field.delivered())),
+            (params.fitness_task, f64::from(mind.task)),
         ];
         let sum: f64 = types.iter().map(|(counts, value)| if *counts { *value } else { 0.0 }).sum();
         mind.fitness = params.fitness_memory * mind.fitness + sum;

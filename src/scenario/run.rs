@@ -102,6 +102,17 @@ impl Run {
         }
     }
 
+    /// The programs of the present moment as a population file; `None` in a world without any.
+    #[must_use]
+    pub fn population(&self) -> Option<String> {
+        match &self.world {
+            World::Geese(world) => {
+                let Scenario { title, seed, .. } = &self.scenario;
+                Some(geese::Population::of(world).write_with(title, *seed, self.tick()))
+            }
+        }
+    }
+
     /// Makes up to `ticks` steps, events included; returns how many it made, fewer only when the run ended.
     pub fn advance(&mut self, ticks: u32) -> u32 {
         for done in 0..ticks {

@@ -8,7 +8,7 @@ use crate::scenario::{Run, Scenario, Timeline, schema as parameters};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
-/// Bytes that keyframes may take.
+/// Bytes that keyframes may take where the page does not say.
 const KEYFRAME_BYTES: usize = 32 << 20;
 
 /// Every parameter as JSON.
@@ -48,12 +48,14 @@ pub struct World {
 impl World {
     /// Builds the world of a scenario, given as JSON.
     ///
+    /// - `keyframes`: bytes that keyframes may take.
+    ///
     /// # Errors
     /// The scenario is not valid, or its world cannot be built.
     #[wasm_bindgen(constructor)]
-    pub fn new(scenario: &str) -> Result<World, JsError> {
+    pub fn new(scenario: &str, keyframes: Option<usize>) -> Result<World, JsError> {
         let run = Scenario::read(scenario).and_then(Run::new).map_err(|fault| error(&fault))?;
-        Ok(World { timeline: Timeline::new(run, KEYFRAME_BYTES), frame: Vec::new() })
+        Ok(World { timeline: Timeline::new(run, keyframes.unwrap_or(KEYFRAME_BYTES)), frame: Vec::new() })
     }
 
     /// Steps made so far.
@@ -102,6 +104,12 @@ impl World {
     #[must_use]
     pub fn scenario(&self) -> String {
         self.timeline.run().scenario().to_value().to_string()
+    }
+
+    /// The programs of this moment as a population file, or `undefined`.
+    #[must_use]
+    pub fn population(&self) -> Option<String> {
+        self.timeline.run().population()
     }
 
     /// What stands where in a frame, as JSON.

@@ -2,14 +2,14 @@ import { button, h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { gist } from '../draw/tree.js';
 
-/** @import { Run } from '../run.js' */
+/** @import { SeenRun } from '../lens.js' */
 /** @import { Selection } from '../selection.js' */
 /** @import { AgentDetail, Detail } from '../types.js' */
 
 /**
  * One robot: what it knows, carries and did; what its program is worth; which genomes it has met.
  *
- * @param {Run} run
+ * @param {SeenRun} run
  * @param {Selection} selection
  */
 export function createAgentTab(run, selection) {
@@ -20,7 +20,7 @@ export function createAgentTab(run, selection) {
   const move = (/** @type {number} */ by) => selection.selectAgent(((selection.agent ?? -by) + by + count()) % count());
   const under = h('p', { class: 'under' });
   const facts = h('dl', { class: 'facts-list' });
-  const fitness = h('dl', { class: 'facts-list' });
+  const fitness = h('dl', { class: 'facts-list fitness-list' });
   const stored = h('tbody', {});
   const storedCaption = h('caption', {});
   const storedHead = h('thead', {}, h('tr', {}, ...text.agent.storedColumns.map((column) => h('th', { scope: 'col' }, column))));
@@ -31,7 +31,8 @@ export function createAgentTab(run, selection) {
     storedHead,
     stored,
   );
-  const body = h('div', {}, facts, h('h2', {}, text.agent.fitness), h('p', { class: 'said small' }, text.agent.formula), fitness, storedTable);
+  const formula = h('p', { class: 'said small' });
+  const body = h('div', {}, facts, h('h2', {}, text.agent.fitness), formula, fitness, storedTable);
   const empty = h('p', { class: 'empty' }, text.agent.none);
   const element = h(
     'div',
@@ -86,9 +87,7 @@ export function createAgentTab(run, selection) {
     put('since', text.agent.ticks(agent.since_swap));
     put('swaps', agent.swaps);
     put('next', agent.replaced_by ? gist(agent.replaced_by) : '–');
-    put('fitness', agent.fitness.toFixed(2));
-    const types = { diversity: agent.diversity.toFixed(3), exploration: agent.exploration, prospective: agent.prospective, task: agent.task, feedback: agent.feedback };
-    for (const [type, value] of Object.entries(types)) put(type, agent.counts.includes(type) ? value : text.agent.uncounted(value));
+    showFitness(agent);
     storedHead.hidden = agent.stored.length === 0;
     write(storedCaption, text.agent.stored(agent.stored.length));
     while (stored.rows.length < agent.stored.length) stored.append(h('tr', {}, h('td', {}), h('td', {}), h('td', {})));
@@ -99,6 +98,27 @@ export function createAgentTab(run, selection) {
       write(cells[1], genome.fitness.toFixed(2));
       write(cells[2], genome.diversity.toFixed(3));
     });
+  }
+
+  /**
+   * The sum that the last tick made. A tree that was taken up in it starts at 0, and what it replaced is not summed up.
+   *
+   * @param {AgentDetail} agent
+   */
+  function showFitness(agent) {
+    const { diversity, exploration, prospective, task, feedback, counts, memory, fitness: sum } = agent;
+    const types = { diversity, exploration, prospective, task, feedback };
+    const fresh = agent.since_swap === 0;
+    let before = sum;
+    for (const [type, value] of Object.entries(types)) {
+      const shown = type === 'diversity' ? value.toFixed(3) : value;
+      put(type, counts.includes(type) ? shown : text.agent.uncounted(shown));
+      rows.get(type)?.value.classList.toggle('uncounted', !counts.includes(type));
+      if (counts.includes(type)) before -= value;
+    }
+    write(formula, fresh ? text.agent.fresh : text.agent.formula);
+    put('before', fresh || memory === 0 ? text.agent.forgotten : text.agent.before(memory, Math.abs(before) < 1e-9 ? 0 : before / memory));
+    put('fitness', sum.toFixed(2));
   }
 
   return { element, show };

@@ -79,7 +79,7 @@ export function createEngine(onFatal, spawn) {
     return answer;
   }
 
-  return { start, request, cancel: () => worker?.postMessage({ type: 'cancel' }) };
+  return { start, request, cancel: () => worker?.postMessage({ type: 'cancel' }), end: () => end('the engine is not needed any more') };
 }
 
 /** @typedef {ReturnType<typeof createEngine>} Engine */

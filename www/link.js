@@ -12,6 +12,7 @@ import { text } from './ui/strings.en.js';
  * @property {LiveEvent[]} events
  * @property {number | null} tick
  * @property {string} fingerprint
+ * @property {[key: string, raw: string][]} beside what the link says of B in A | B; empty when there is none
  * @property {string[]} problems one sentence for each thing that could not be read
  */
 
@@ -23,19 +24,35 @@ export const fieldOf = (key) => key.slice(key.indexOf('.') + 1);
 /**
  * The whole scenario as the hash of an address: what differs from the preset, and where the run stands.
  *
- * @param {{ version: string, preset: string, base: Scenario, scenario: Scenario, schema: Parameter[], tick: number, fingerprint: string }} what
+ * @param {{ version: string, preset: string, base: Scenario, scenario: Scenario, schema: Parameter[], tick: number, fingerprint: string, beside: string[] }} what
+ *   `beside` is what A | B adds
  */
-export async function writeLink({ version, preset, base, scenario, schema, tick, fingerprint }) {
+export async function writeLink({ version, preset, base, scenario, schema, tick, fingerprint, beside }) {
   const parts = [`v=${version}`, `preset=${encodeURIComponent(preset)}`];
   for (const parameter of schema) {
     const value = scenario[fieldOf(parameter.key)];
     if (value === base[fieldOf(parameter.key)]) continue;
-    const written = parameter.type === 'text' ? await pack(String(value)) : encodeURIComponent(String(value));
-    parts.push(`${parameter.key}=${written}`);
+    parts.push(`${parameter.key}=${await writeValue(parameter, value)}`);
   }
   if (scenario.events?.length) parts.push(`events=${await pack(JSON.stringify(scenario.events))}`);
+  parts.push(...beside);
   if (tick > 0) parts.push(`t=${tick}`, `f=${fingerprint}`);
   return `#/forage?${parts.join('&')}`;
+}
+
+/** The last long texts with what they became: a population is packed once and not with every address. @type {[string, string][]} */
+const packed = [];
+
+/** A value as it stands in links. @param {Parameter} parameter @param {Value} value */
+export async function writeValue({ type }, value) {
+  const string = String(value);
+  if (type !== 'text') return encodeURIComponent(string);
+  const known = packed.find(([original]) => original === string);
+  if (known) return known[1];
+  const written = await pack(string);
+  packed.unshift([string, written]);
+  packed.length = Math.min(packed.length, 4);
+  return written;
 }
 
 /**
@@ -48,7 +65,7 @@ export async function writeLink({ version, preset, base, scenario, schema, tick,
  */
 export async function readLink(hash, schema, presets) {
   /** @type {LinkParts} */
-  const parts = { route: 'forage', version: '', preset: presets[0], values: new Map(), events: [], tick: null, fingerprint: '', problems: [] };
+  const parts = { route: 'forage', version: '', preset: presets[0], values: new Map(), events: [], tick: null, fingerprint: '', beside: [], problems: [] };
   const [path, query = ''] = splitOnce(hash.replace(/^#?\/?/, ''), '?');
   if (path && path !== 'forage') parts.problems.push(text.link.route(path));
   for (const pair of query.split('&')) {
@@ -71,6 +88,10 @@ export async function readLink(hash, schema, presets) {
  * @param {string[]} presets
  */
 async function readPair(parts, key, raw, schema, presets) {
+  if (key === 'b' || key.startsWith('b.')) {
+    parts.beside.push([key, raw]);
+    return;
+  }
   if (key === 'events') {
     parts.events = readEvents(await unpack(raw), schema);
     return;
@@ -129,7 +150,7 @@ function readNumber({ type, min, max, hard_max: hardMax }, written) {
 }
 
 /** @param {string} json @param {Parameter[]} schema @returns {LiveEvent[]} */
-function readEvents(json, schema) {
+export function readEvents(json, schema) {
   const events = JSON.parse(json);
   if (!Array.isArray(events)) throw new Error(text.link.events);
   for (const event of events) {

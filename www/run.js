@@ -19,7 +19,7 @@ const FRAME_BUDGET_MS = 12;
  * The run on screen: asks the engine for the next moment once per animation frame and only when nothing is
  * outstanding, which is all the back-pressure needed. Pausing is not asking.
  *
- * @param {Engine} engine
+ * @param {Pick<Engine, 'request' | 'cancel'>} engine
  * @param {State} state
  */
 export function createRun(engine, state) {
@@ -69,7 +69,7 @@ export function createRun(engine, state) {
         state.to('loading');
         run.scenario = answer.scenario;
         run.layout = answer.layout;
-        run.steps = Number(answer.scenario.steps ?? 0);
+        run.steps = Number(answer.steps ?? answer.scenario.steps ?? 0);
         run.msPerTick = 0;
         note(answer.fingerprint, answer.tick);
         spare = [];
@@ -175,7 +175,7 @@ export function createRun(engine, state) {
     run.frame = new Float32Array(answer.buffer);
     run.tick = answer.tick;
     run.finished = answer.finished;
-    if (answer.fingerprint) note(answer.fingerprint, answer.tick);
+    if (answer.fingerprint) note(answer.fingerprint, answer.fingerprintTick ?? answer.tick);
     if (answer.done > 0) run.msPerTick += (answer.ms / answer.done - run.msPerTick) * (run.msPerTick ? 0.1 : 1);
     tell('frame');
   }

@@ -11,15 +11,29 @@ import { fieldOf, readLink, writeLink } from './link.js';
 /** @typedef {{ name: string, title: string, about: string, json: string }} Preset */
 
 /**
+ * @typedef {object} Beside the other half of A | B
+ * @property {(parts: LinkParts, scenario: Scenario) => Promise<(opened: boolean) => Promise<void>>} open makes ready for what
+ *   a link says of B; afterwards it is told whether the world of A was built
+ * @property {(parts: LinkParts) => string} verdict at the link's tick, what is wrong with B; empty when nothing
+ * @property {() => Promise<string[]>} link what B adds to the address
+ */
+
+/** The longest address a browser is asked to hold. */
+const LONGEST_ADDRESS = 1_000_000;
+
+/**
  * The scenario on screen: the preset, what differs from it, and changes that wait for a restart.
  *
- * @param {{ engine: Engine, run: Run, state: State, address: Address, schema: Parameter[], version: string, presets: Preset[],
+ * @param {{ engine: Engine, run: Run, state: State, address: Address, beside: Beside, schema: Parameter[], version: string, presets: Preset[],
  *   say: (message: string, kind?: 'note' | 'problem') => void }} parts
  */
-export function createSession({ engine, run, state, address, schema, version, presets, say }) {
+export function createSession({ engine, run, state, address, beside, schema, version, presets, say }) {
   /** @type {(() => void)[]} */
   const listeners = [];
   let writing = 0;
+  let links = 0;
+  /** @type {Promise<unknown>} the link under way: one is opened after the other */
+  let opening = Promise.resolve();
   /** Whether the next address is a new entry of the history. */
   let push = false;
 
@@ -72,15 +86,47 @@ export function createSession({ engine, run, state, address, schema, version, pr
     /**
      * Builds a world anew from the values on screen.
      *
-     * @param {{ seed?: number }} [changes]
+     * @param {{ seed?: number, population?: string }} [changes]
+     * @param {(why: string) => string} [refused] what is said when it is refused; then everything stays as it was
      */
-    async restart(changes = {}) {
+    async restart(changes = {}, refused = text.scenario.refused) {
       /** @type {Scenario} */
       const scenario = { ...run.scenario, events: [] };
       for (const { key } of schema) scenario[fieldOf(key)] = session.value(key);
       Object.assign(scenario, changes);
-      await launch(scenario);
+      return launch(scenario, { name: session.preset, base: session.base }, refused);
     },
+
+    /**
+     * Takes a scenario from a file; the preset of the same title, if there is one, says what differs.
+     *
+     * @param {string} json
+     * @param {(why: string) => string} refused
+     */
+    async openScenario(json, refused) {
+      try {
+        const { scenario } = await engine.request('complete', { scenario: json });
+        const name = presets.find(({ title }) => title === scenario.title)?.name ?? session.preset;
+        push = true;
+        if (await launch(scenario, { name, base: await completed(name) }, refused)) return true;
+      } catch (error) {
+        say(refused(messageOf(error)), 'problem');
+      }
+      push = false;
+      return false;
+    },
+
+    /** Takes a scenario in place of the present one. @param {Scenario} scenario @param {string} name of the preset that says what differs */
+    take: async (scenario, name) => launch(scenario, { name, base: await completed(name) }),
+
+    /** The next address is a new entry of the history. */
+    turnPage: () => void (push = true),
+
+    /** A preset with every field. @param {string} name */
+    completed,
+
+    /** What the engine has against a scenario; empty when nothing. */
+    refusal,
 
     /** Takes the preset as it is. @param {string} name */
     async choosePreset(name) {
@@ -95,32 +141,50 @@ export function createSession({ engine, run, state, address, schema, version, pr
      * @param {string} hash
      * @returns {Promise<boolean>} whether the world may start to move by itself
      */
-    async open(hash) {
-      const parts = await readLink(hash, schema, presets.map((preset) => preset.name));
-      if (parts.version && parts.version !== version) parts.problems.push(text.link.version(parts.version, version));
-      const base = await completed(parts.preset);
-      const scenario = await accepted(base, parts);
-      for (const problem of parts.problems) say(problem, 'problem');
-      if (!(await launch(scenario, { name: parts.preset, base }))) return false;
-      if (parts.tick === null) return true;
-      await run.seek(parts.tick);
-      say(...verdict(parts));
-      return false;
+    open(hash) {
+      links += 1;
+      const number = links;
+      run.cancel(); // an earlier link need not reach its tick any more
+      const next = opening.then(() => openLink(hash, number));
+      opening = next.catch(() => {});
+      return next;
     },
 
     /** Address of the last moment whose fingerprint is known, as a hash; while the world stands, that is the one on screen. */
-    link: () =>
-      writeLink({ version, schema, preset: session.preset, base: session.base, scenario: run.scenario, tick: run.fingerprintTick, fingerprint: run.fingerprint }),
+    async link() {
+      const { scenario, fingerprint, fingerprintTick: tick } = run;
+      return writeLink({ version, schema, preset: session.preset, base: session.base, scenario, tick, fingerprint, beside: await beside.link() });
+    },
 
     /** Writes the moment on screen into the address: a new entry after a change of preset, else in place of the present one. */
     async writeAddress() {
       const ticket = ++writing;
       const hash = await session.link();
-      if (ticket !== writing) return; // a later moment is being written
+      if (ticket !== writing || hash.length > LONGEST_ADDRESS) return; // a later moment is being written, or only a file can hold it
       address.write(hash, push);
       push = false;
     },
   };
+
+  /** @param {string} hash @param {number} number of the link, to know whether a later one waits */
+  async function openLink(hash, number) {
+    const parts = await readLink(hash, schema, presets.map((preset) => preset.name));
+    if (parts.version && parts.version !== version) parts.problems.push(text.link.version(parts.version, version));
+    const base = await completed(parts.preset);
+    const scenario = await accepted(base, parts);
+    const ready = await beside.open(parts, scenario);
+    for (const problem of parts.problems) say(problem, 'problem');
+    const opened = await launch(scenario, { name: parts.preset, base });
+    await ready(opened);
+    if (!opened) return false;
+    if (parts.tick === null) return true;
+    if (number === links) await run.seek(parts.tick);
+    if (number !== links) return false;
+    say(...verdict(parts));
+    const other = beside.verdict(parts);
+    if (other) say(other, 'problem');
+    return false;
+  }
 
   function tell() {
     for (const listener of listeners) listener();
@@ -137,9 +201,10 @@ export function createSession({ engine, run, state, address, schema, version, pr
    * Puts a new world in place of the present one; when it is refused, everything stays as it was.
    *
    * @param {Scenario} scenario
-   * @param {{ name: string, base: Scenario }} [preset] what the scenario is compared with from now on
+   * @param {{ name: string, base: Scenario }} preset what the scenario is compared with from now on
+   * @param {(why: string) => string} [refused]
    */
-  async function launch(scenario, preset = { name: session.preset, base: session.base }) {
+  async function launch(scenario, preset, refused = text.scenario.refused) {
     const before = { name: session.preset, base: session.base };
     const played = state.name === 'running';
     adopt(preset);
@@ -147,7 +212,7 @@ export function createSession({ engine, run, state, address, schema, version, pr
       await run.load(scenario);
     } catch (error) {
       adopt(before);
-      say(text.scenario.refused(messageOf(error)), 'problem');
+      say(refused(messageOf(error)), 'problem');
       return false;
     }
     session.pending.clear();

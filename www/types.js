@@ -67,6 +67,7 @@
  * @property {string | null} last_action
  * @property {number[]} genome
  * @property {number} used
+ * @property {number} memory the blend factor beta
  * @property {string} program
  * @property {string | null} [replaced_by] the tree that runs next, when the one shown was replaced in the last tick
  *
@@ -91,6 +92,14 @@
  *
  * @typedef {{ every: number, from: number, delivered: number[], programs: number[], carrying: number[], swaps: number[] }} History
  *
- * @typedef {{ tick: number, done: number, finished: string | null, buffer: ArrayBuffer, ms: number, fingerprint?: string }} FrameAnswer
+ * @typedef {object} FrameAnswer
+ * @property {number} tick
+ * @property {number} done ticks made
+ * @property {string | null} finished
+ * @property {ArrayBuffer} buffer
+ * @property {number} ms
+ * @property {string} [fingerprint]
+ * @property {number} [fingerprintTick] where it is not that of `tick`
+ * @property {string[]} [marks] fingerprints by tick, from the one asked for on
  */
 export {};

@@ -18,6 +18,8 @@ let memory;
 /** @type {World | null} */
 let world = null;
 let sinceKeyframe = 0;
+/** Fingerprints by tick, from tick 0 on without a gap, while somebody compares this run with another. @type {string[]} */
+let marks = [];
 let cancelled = false;
 /** @type {Promise<unknown> | undefined} */
 let ready;
@@ -55,40 +57,46 @@ const REFUSES = new Set(['load', 'event', 'complete', 'inspect', 'export', 'deri
 const ANSWERS = {
   hello: () => [{ type: 'hello', version: version(), schema: JSON.parse(schema()) }],
 
-  load({ scenario }) {
-    const next = new World(scenario); // when it throws, the last valid world stays
+  load({ scenario, keyframes }) {
+    const next = new World(scenario, keyframes); // when it throws, the last valid world stays
     world?.free();
     world = next;
     keep();
-    return [{ type: 'loaded', tick: world.tick(), fingerprint: world.fingerprint(), layout: JSON.parse(world.layout()), scenario: JSON.parse(world.scenario()) }];
+    const fingerprint = world.fingerprint();
+    marks = [fingerprint];
+    return [{ type: 'loaded', tick: world.tick(), fingerprint, layout: JSON.parse(world.layout()), scenario: JSON.parse(world.scenario()), marks }];
   },
 
-  advance({ ticks, budgetMs, buffer }) {
+  advance({ ticks, budgetMs, buffer, known }) {
     const start = performance.now();
     let done = 0;
     let fingerprint;
+    let fingerprintTick;
     while (done < ticks && running().advance(1) === 1) {
       done += 1;
+      if (known !== undefined) mark();
       const elapsed = performance.now() - start;
       if (running().tick() % KEYFRAME_TICKS === 0 || sinceKeyframe + elapsed > KEYFRAME_MS) {
         keep(elapsed);
         fingerprint = running().fingerprint();
+        fingerprintTick = running().tick();
       }
       if (elapsed >= budgetMs) break;
     }
     const ms = performance.now() - start;
     sinceKeyframe += ms;
-    return frame(buffer, done, ms, fingerprint);
+    return frame(buffer, done, ms, { fingerprint, fingerprintTick, known });
   },
 
-  async seek({ id, tick, buffer }) {
+  async seek({ id, tick, buffer, known }) {
     const start = performance.now();
     const from = running().tick();
     let reported = start;
     let now = from;
     while (now !== tick && !cancelled) {
       const before = now;
-      now = running().seek(tick, KEYFRAME_TICKS - (now % KEYFRAME_TICKS));
+      if (known === undefined) now = running().seek(tick, KEYFRAME_TICKS - (now % KEYFRAME_TICKS));
+      else now = seekMarking(tick, now);
       if (now % KEYFRAME_TICKS === 0) keep();
       if (now === before) break; // the run ended before the tick asked for
       if (performance.now() - reported > PROGRESS_MS) {
@@ -97,12 +105,13 @@ const ANSWERS = {
         await new Promise((resume) => setTimeout(resume)); // lets a cancel through
       }
     }
-    return frame(buffer, Math.abs(now - from), performance.now() - start, running().fingerprint());
+    return frame(buffer, Math.abs(now - from), performance.now() - start, { fingerprint: running().fingerprint(), known });
   },
 
   event({ key, value }) {
     running().set(key, JSON.stringify(value));
     keep();
+    marks.length = Math.min(marks.length, running().tick() + 1);
     return [{ type: 'event', tick: running().tick(), scenario: JSON.parse(running().scenario()), fingerprint: running().fingerprint() }];
   },
 
@@ -110,6 +119,7 @@ const ANSWERS = {
   rules: ({ grammar, task }) => [{ type: 'rules', rules: rules(grammar, task) }],
   export: ({ query }) => [{ type: 'exported', xml: running().export(JSON.stringify(query)) ?? null }],
   derive: ({ codons }) => [{ type: 'derived', derived: JSON.parse(running().derive(JSON.stringify(codons))) }],
+  population: () => [{ type: 'population', population: running().population() ?? null }],
   history: ({ from }) => [{ type: 'history', history: JSON.parse(running().history(from)) }],
   complete: ({ scenario }) => [{ type: 'completed', scenario: JSON.parse(complete(scenario)) }],
   fingerprint: () => [{ type: 'fingerprint', tick: running().tick(), hash: running().fingerprint() }],
@@ -126,21 +136,42 @@ function keep(elapsed = 0) {
   sinceKeyframe = -elapsed;
 }
 
+/** Notes the fingerprint of a tick that is reached for the first time; after that, every tick before it is noted too. */
+function mark() {
+  if (running().tick() === marks.length) marks.push(running().fingerprint());
+}
+
+/**
+ * One stride of a seek that notes every tick: in large strides where the ticks are noted already, else one by one.
+ *
+ * @param {number} tick
+ * @param {number} now
+ */
+function seekMarking(tick, now) {
+  const noted = marks.length - 1;
+  const stride = KEYFRAME_TICKS - (now % KEYFRAME_TICKS);
+  const reached = now >= noted && tick > now ? running().seek(tick, 1) : running().seek(Math.min(tick, noted), stride);
+  mark();
+  return reached;
+}
+
 /**
  * Copies the frame into a buffer that travels back to the page.
  *
  * @param {ArrayBuffer | undefined} buffer
  * @param {number} done
  * @param {number} ms
- * @param {string} [fingerprint]
+ * @param {{ fingerprint?: string, fingerprintTick?: number, known?: number }} said `fingerprintTick` where it is another tick's;
+ *   with `known`, the fingerprints of all ticks from that one on go along
  * @returns {[object, Transferable[]]}
  */
-function frame(buffer, done, ms, fingerprint) {
+function frame(buffer, done, ms, { fingerprint, fingerprintTick, known }) {
   const pointer = running().frame_pointer();
   const length = running().frame_length();
   const source = new Float32Array(memory.buffer, pointer, length); // memory growth detaches older views
   const target = buffer?.byteLength === source.byteLength ? buffer : new ArrayBuffer(source.byteLength);
   new Float32Array(target).set(source);
-  const answered = { type: 'frame', tick: running().tick(), done, finished: running().finished() ?? null, buffer: target, ms, fingerprint };
+  const fresh = known === undefined ? undefined : marks.slice(known);
+  const answered = { type: 'frame', tick: running().tick(), done, finished: running().finished() ?? null, buffer: target, ms, fingerprint, fingerprintTick, marks: fresh };
   return [answered, [target]];
 }

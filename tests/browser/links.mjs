@@ -50,7 +50,7 @@ export const cases = [
         const problems = await page.locator('.notice.problem p').allTextContents();
         if (problems.length > 0) lost.push(`${key}=${value}: ${problems.join(' ')}`);
         else if (type === 'text' ? !written.includes(`${key}=~`) : !written.includes(`&${key}=${encodeURIComponent(value)}`)) lost.push(`${key}=${value} became ${written}`);
-        if (problems.length > 0 || type !== 'text') continue;
+        if (problems.length > 0 || type !== 'text' || key === 'geese.population') continue; // a population is told in one line
         await page.evaluate((wanted) => void (location.hash = `${wanted}&t=0`), written);
         await until((wanted) => location.hash === wanted, written);
         assert.equal(await page.locator(`[data-key="${key}"] textarea`).inputValue(), value);

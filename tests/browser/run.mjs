@@ -15,6 +15,8 @@ import { cases as access } from './access.mjs';
 import { cases as exports } from './exports.mjs';
 import { cases as frames } from './frames.mjs';
 import { cases as tasks } from './tasks.mjs';
+import { cases as comparing } from './comparing.mjs';
+import { cases as files } from './files.mjs';
 import { cases as tabs } from './tabs.mjs';
 import { cases as treesText } from './treestext.mjs';
 import { cases as treesRun } from './treesrun.mjs';
@@ -28,7 +30,7 @@ if (!existsSync(`${dist}/index.html`)) fail('the page is not built: run make bui
 if (!executable) fail('no Chromium was found: install it or set CHROMIUM to its path');
 
 const words = process.argv.slice(2);
-const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, tabs, treesText, treesRun, treesFiles, treesView, treesAccess]
+const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess]
   .flat()
   .filter(([name]) => words.length === 0 || words.some((word) => name.includes(word)));
 const server = await serve(dist, '/some/sub/path/');

@@ -1,13 +1,15 @@
-import { createEngine } from '../engine.js';
+import { EngineError, createEngine } from '../engine.js';
+import { createLens } from '../lens.js';
 import { createRun } from '../run.js';
 import { createSelection } from '../selection.js';
 import { createSession, messageOf } from '../session.js';
 import { createState } from '../state.js';
-import { find } from '../ui/dom.js';
+import { button, find } from '../ui/dom.js';
 import { createNotices } from '../ui/notices.js';
 import { onStorageBlocked } from '../ui/storage.js';
 import { text } from '../ui/strings.en.js';
 import { createControls } from '../views/controls.js';
+import { createFiles } from '../files/files.js';
 import { createFault } from '../views/fault.js';
 import { createFoot } from '../views/foot.js';
 import { createInspector } from '../views/inspector.js';
@@ -16,7 +18,8 @@ import { createTransport } from '../views/transport.js';
 import { createWorldView } from '../views/world.js';
 
 /** @import { Address, Tab } from '../router.js' */
-/** @import { Preset, Session } from '../session.js' */
+/** @import { Compare } from '../ab/compare.js' */
+/** @import { Beside, Preset, Session } from '../session.js' */
 /** @import { ThemeSwitch } from '../ui/theme.js' */
 
 const OPENING_PRESET = 'foraging';
@@ -35,8 +38,31 @@ export function createForage({ address, built, live, themes, openTree }) {
   const notices = createNotices(pane, live);
   const fault = createFault(pane, notices.say);
   const selection = createSelection();
-  const engine = createEngine(broke, () => new Worker(new URL('../worker.js', import.meta.url), { type: 'module' }));
-  const run = createRun(engine, state);
+  const spawn = () => new Worker(new URL('../worker.js', import.meta.url), { type: 'module' });
+  const engine = createEngine(broke, spawn);
+  /** Where the requests of the run go; in A | B to both engines. */
+  const desk = { request: engine.request, cancel: engine.cancel };
+  const run = createRun(desk, state);
+  /** A | B, loaded when it is first asked for. @type {Promise<Compare> | null} */
+  let loading = null;
+  /** @type {Compare | null} */
+  let compare = null;
+  /** @type {Beside} */
+  const beside = {
+    async open(parts, scenario) {
+      try {
+        if (parts.beside.length > 0 || compare) return await (await loadCompare()).open(parts, scenario);
+      } catch (error) {
+        if (error instanceof EngineError) throw error;
+        parts.problems.push(text.compare.missing(messageOf(error))); // A is there without it
+      }
+      return async () => {};
+    },
+    verdict: (parts) => compare?.verdict(parts) ?? '',
+    link: async () => compare?.link() ?? [],
+  };
+  /** @type {() => Promise<Compare>} */
+  let loadCompare = () => Promise.reject(new Error());
   /** @type {Record<string, () => void>} */
   const actions = {};
   /** @type {Session | null} */
@@ -56,7 +82,7 @@ export function createForage({ address, built, live, themes, openTree }) {
     try {
       engine.start();
       const hello = await engine.request('hello');
-      session = createSession({ engine, run, state, address, schema: hello.schema, version: hello.version, presets: readPresets(), say: notices.say });
+      session = createSession({ engine, run, state, address, beside, schema: hello.schema, version: hello.version, presets: readPresets(), say: notices.say });
       build(session);
       const mayMove = await session.open(hash);
       if (mayMove && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
@@ -68,13 +94,18 @@ export function createForage({ address, built, live, themes, openTree }) {
   /** Puts the tab together. @param {Session} ready */
   function build(ready) {
     const { theme } = themes;
-    const world = createWorldView({ pane, run, state, selection, theme, drawn: () => foot.drew() });
-    createLegend({ pane, run, state, selection, world });
-    createControls({ pane: find('#controls'), engine, run, session: ready });
+    const world = createWorldView({ pane, run, state, selection, theme, drawn: () => (foot.drew(), compare?.drew()), rings: () => compare?.rings() ?? true });
+    const lens = createLens(run, { request: engine.request, run, world: () => world, side: '' });
+    const files = createFiles({ element: find('#forage'), engine: lens.engine, lens, run, session: ready, say: notices.say });
+    createLegend({ pane, run, lens, state, selection, world });
+    createControls({ pane: find('#controls'), engine, run, session: ready, files });
+    const comparing = button(text.compare.label, () => void toggleCompare(), { action: 'compare', title: text.compare.title });
+    comparing.setAttribute('aria-pressed', 'false');
+    world.head.append(comparing);
     const inspector = createInspector({
       pane: find('#inspector'),
-      engine,
-      run,
+      engine: lens.engine,
+      run: lens.run,
       state,
       selection,
       theme,
@@ -86,16 +117,54 @@ export function createForage({ address, built, live, themes, openTree }) {
     const transport = createTransport({ pane: transportPane, run, state, session: ready, say: notices.say });
     const foot = createFoot({
       pane: find('#foot'),
-      engine,
       run,
+      lens,
       state,
       session: ready,
-      world: () => world,
       theme,
+      open: files.choose,
       treeSvg: inspector.treeSvg,
       say: notices.say,
     });
     themes.on(world.invalidate);
+    loadCompare = async () => {
+      loading ??= import('../ab/compare.js').then(({ createCompare }) =>
+        createCompare({
+          engine,
+          desk,
+          lens,
+          run,
+          state,
+          session: ready,
+          selection,
+          world,
+          theme,
+          onTheme: themes.on,
+          pane,
+          controls: find('#controls'),
+          inspector: find('#inspector'),
+          broke,
+          spawn,
+          pressed: (on) => comparing.setAttribute('aria-pressed', String(on)),
+          say: notices.say,
+          announce: notices.announce,
+        }),
+      );
+      try {
+        compare = await loading;
+      } catch (error) {
+        loading = null; // a later wish tries again
+        throw error;
+      }
+      return compare;
+    };
+    const toggleCompare = async () => {
+      try {
+        await (await loadCompare()).toggle();
+      } catch (error) {
+        if (state.name !== 'error') notices.say(text.compare.missing(messageOf(error)), 'problem');
+      }
+    };
     Object.assign(actions, {
       toggle: run.toggle,
       forward: () => void run.step(1),
@@ -107,6 +176,7 @@ export function createForage({ address, built, live, themes, openTree }) {
       faster: transport.faster,
       slower: transport.slower,
       follow: selection.toggleFollow,
+      compare: () => void toggleCompare(),
       clear: () => (inspector.close(), selection.clear()),
     });
     built();
@@ -128,6 +198,7 @@ export function createForage({ address, built, live, themes, openTree }) {
     run.abandon();
     const again = async () => {
       engine.start();
+      compare?.revive();
       try {
         await run.load(scenario);
         await run.seek(tick);

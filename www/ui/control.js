@@ -1,8 +1,10 @@
 import { h, write } from './dom.js';
 import { text } from './strings.en.js';
 import { readValue } from '../link.js';
+import { createPopulationControl } from './populationcontrol.js';
 import { createTextControl } from './textcontrol.js';
 
+/** @import { Files } from '../files/files.js' */
 /** @import { Parameter, Value } from '../types.js' */
 
 /**
@@ -16,6 +18,7 @@ import { createTextControl } from './textcontrol.js';
  * @property {(parameter: Parameter, value: Value) => void} change
  * @property {(parameter: Parameter, value: Value) => Promise<string>} check what is wrong with a text; empty when nothing
  * @property {(parameter: Parameter, value: Value) => Promise<string>} inFull the text that a name such as `ppa` stands for
+ * @property {Files} files
  */
 
 /**
@@ -59,14 +62,14 @@ export function createControl(parameter, wiring) {
       changed.hidden = !differs && !needsRestart;
       reset.hidden = !differs;
       waits.hidden = !needsRestart;
-      write(reset, text.controls.reset(parameter.type === 'text' ? '' : name(parameter, original)));
-      reset.setAttribute('aria-label', text.controls.resetLong(parameter.label, parameter.type === 'text' ? '' : name(parameter, original)));
+      write(reset, text.controls.reset(parameter.type === 'text' ? '' : valueName(parameter, original)));
+      reset.setAttribute('aria-label', text.controls.resetLong(parameter.label, parameter.type === 'text' ? '' : valueName(parameter, original)));
     },
   };
 }
 
 /** How a value is written for people. @param {Parameter} parameter @param {Value} value */
-function name({ choices, unit }, value) {
+export function valueName({ choices, unit }, value) {
   if (typeof value === 'boolean') return value ? text.controls.on : text.controls.off;
   return choices?.find((choice) => choice.value === value)?.label ?? `${value}${unit ? ` ${unit}` : ''}`;
 }
@@ -87,7 +90,7 @@ function createField(parameter, id, wiring, say) {
     case 'choice':
       return createChoice(parameter, id, wiring);
     case 'text':
-      return createTextControl(parameter, id, wiring, say);
+      return parameter.key === 'geese.population' ? createPopulationControl(parameter.label, id, wiring.files) : createTextControl(parameter, id, wiring, say);
     default:
       return createNumber(parameter, id, wiring, say);
   }

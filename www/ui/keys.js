@@ -22,6 +22,7 @@ export const KEYS = [
   { keys: ['+', '='], shown: '+', action: 'faster' },
   { keys: ['-'], shown: '-', action: 'slower' },
   { keys: ['f', 'F'], shown: 'F', action: 'follow' },
+  { keys: ['a', 'A'], shown: 'A', action: 'compare' },
   { keys: ['/'], shown: '/', action: 'search' },
   { keys: ['Escape'], shown: 'Escape', action: 'clear' },
   { keys: ['1'], shown: '1', action: 'tab-forage' },

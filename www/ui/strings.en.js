@@ -38,7 +38,7 @@ export const text = {
   items: /** @type {Record<string, string>} */ ({ food: 'Food', debris: 'Debris' }),
   table: {
     columns: ['Robot', 'x', 'y', 'Carries', 'Last action'],
-    caption: (/** @type {number} */ tick) => `Robots at tick ${tick}`,
+    caption: (/** @type {number} */ tick, /** @type {string} */ side) => `Robots${side && ` of ${side.toUpperCase()}`} at tick ${tick}`,
   },
 
   transport: {
@@ -98,6 +98,18 @@ export const text = {
   },
   scenario: {
     refused: (/** @type {string} */ why) => `The scenario was refused and the last valid world goes on: ${why}.`,
+  },
+  /** Groups of presets: each preset stands in the first whose pattern its name holds. */
+  presets: [
+    { label: 'Robust settings', holds: /^(foraging|nest)$/ },
+    { label: 'The paper and its code', holds: /paper|published/ },
+    { label: 'Other algorithms', holds: /geese|fsm|hand|random|control/ },
+    { label: 'Other tasks', holds: /^/ },
+  ],
+  compare: {
+    label: 'A | B',
+    title: 'A | B: two scenarios with one seed, side by side',
+    missing: (/** @type {string} */ why) => `A | B could not be opened: ${why}`,
   },
   events: {
     cut: (/** @type {number} */ tick) => `From tick ${tick}: your change. Later changes were dropped.`,
@@ -166,15 +178,19 @@ export const text = {
       ['next', 'Runs next'],
     ]),
     parts: /** @type {[string, string][]} */ ([
-      ['fitness', 'Fitness A'],
+      ['before', 'β × A before'],
       ['diversity', 'I Diversity D'],
       ['exploration', 'II Exploration E'],
       ['prospective', 'III Prospective'],
       ['task', 'IV Task'],
       ['feedback', 'V Feedback B'],
+      ['fitness', 'Fitness A, the sum'],
     ]),
     fitness: 'Fitness',
-    formula: 'Each tick A becomes βA + the types that count; β is the fitness memory',
+    formula: 'Each tick A becomes βA + the types that count; β is the fitness memory.',
+    before: (/** @type {number} */ memory, /** @type {number} */ before) => `${memory} × ${before.toFixed(2)} = ${(memory * before).toFixed(2)}`,
+    forgotten: '0',
+    fresh: 'A new tree was taken up in this tick: it starts at 0.',
     uncounted: (/** @type {string | number} */ value) => `${value} (does not count)`,
     alive: 'working',
     dead: 'out of order',
@@ -236,10 +252,13 @@ export const text = {
     noTree: 'Open the Tree tab first: the drawing is what it shows.',
     csv: 'Delivered, carried, trees and swaps over time, CSV',
     json: 'The scenario as a file, for the command line',
+    open: 'Open',
+    openLong: 'Open a scenario or a population from a file; one can also be dropped anywhere on the page',
     cite: 'Cite',
     citeLong: 'Copy title, version, link, seed, fingerprint and the paper',
     cited: 'The citation is on the clipboard.',
-    caption: (/** @type {string} */ preset, /** @type {number} */ seed, /** @type {number} */ tick) => `${preset}, seed ${seed}, tick ${tick}`,
+    /** @param {string} preset @param {string} side @param {number} seed @param {number} tick */
+    caption: (preset, side, seed, tick) => `${preset}${side && `, ${side.toUpperCase()} of A | B`}, seed ${seed}, tick ${tick}`,
     /** @param {string} version @param {string} link @param {number} seed @param {number} tick @param {string} fingerprint */
     citation: (version, link, seed, tick, fingerprint) =>
       `Swarm playground ${version}. Seed ${seed}, tick ${tick}, fingerprint ${fingerprint}. ${link}\nAfter: BeTr-GEESE, Cells2Societies workshop at ICLR 2022.`,
@@ -264,6 +283,7 @@ export const text = {
       faster: 'faster',
       slower: 'slower',
       follow: 'follow the chosen robot',
+      compare: 'A | B: two scenarios with one seed',
       clear: 'close, unfollow, clear',
       search: 'find a node',
       'tab-forage': 'the tab Forage',

@@ -1,20 +1,19 @@
 import { h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 
-/** @import { Run } from '../run.js' */
+/** @import { Lens } from '../lens.js' */
 /** @import { Selection } from '../selection.js' */
-/** @import { WorldView } from './world.js' */
 
 const EVERY_MS = 1000;
 
 /**
  * All robots as a table: what the canvas shows, for screen readers and for reading numbers.
  *
- * @param {Run} run
+ * @param {Lens} lens
  * @param {Selection} selection
- * @param {WorldView} world
  */
-export function createAgentTable(run, selection, world) {
+export function createAgentTable(lens, selection) {
+  const { run } = lens;
   const body = h('tbody', {});
   const head = h('tr', {}, ...text.table.columns.map((column) => h('th', { scope: 'col' }, column)));
   const caption = h('caption', {});
@@ -23,11 +22,11 @@ export function createAgentTable(run, selection, world) {
   let written = -Infinity;
 
   function fill() {
-    if (!shown || !world.ready()) return;
+    if (!shown || !lens.world().ready()) return;
     written = performance.now();
-    const { at, layout } = world.view;
+    const { at, layout } = lens.world().view;
     const { frame } = run;
-    write(caption, text.table.caption(run.tick));
+    write(caption, text.table.caption(run.tick, lens.side()));
     while (body.rows.length < at.agents) body.append(row(body.rows.length));
     while (body.rows.length > at.agents) body.deleteRow(-1);
     for (let id = 0; id < at.agents; id += 1) {

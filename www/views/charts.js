@@ -4,7 +4,7 @@ import { h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 
 /** @import { Engine } from '../engine.js' */
-/** @import { Run } from '../run.js' */
+/** @import { SeenRun } from '../lens.js' */
 /** @import { Theme } from '../draw/theme.js' */
 /** @import { History } from '../types.js' */
 
@@ -15,7 +15,7 @@ const TABLE_ROWS = 24;
 /**
  * Delivered food and distinct trees over time, each with its numbers as a table. Loaded when first shown.
  *
- * @param {{ pane: HTMLElement, engine: Engine, run: Run, theme: () => Theme }} parts
+ * @param {{ pane: HTMLElement, engine: Pick<Engine, 'request'>, run: SeenRun, theme: () => Theme }} parts
  */
 export function createCharts({ pane, engine, run, theme }) {
   /** @type {number[]} */
@@ -83,8 +83,10 @@ export function createCharts({ pane, engine, run, theme }) {
     asking = true;
     try {
       if (ticks.length > 0 && ticks[ticks.length - 1] > run.tick) clear();
+      const asked = ticks;
       /** @type {History} */
       const history = (await engine.request('history', { from: ticks.length })).history;
+      if (asked !== ticks) return; // it was of another run
       history.delivered.forEach((_, index) => ticks.push((history.from + index) * history.every));
       for (const name of /** @type {const} */ (['delivered', 'carrying', 'programs', 'swaps'])) series[name].push(...history[name]);
       draw();

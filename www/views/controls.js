@@ -5,6 +5,7 @@ import { messageOf } from '../session.js';
 import { fieldOf } from '../link.js';
 
 /** @import { Engine } from '../engine.js' */
+/** @import { Files } from '../files/files.js' */
 /** @import { Run } from '../run.js' */
 /** @import { Session } from '../session.js' */
 /** @import { Parameter, Value } from '../types.js' */
@@ -12,14 +13,19 @@ import { fieldOf } from '../link.js';
 /**
  * The left pane: preset, then every parameter of the schema by group, then the one button for changes that wait.
  *
- * @param {{ pane: HTMLElement, engine: Engine, run: Run, session: Session }} parts
+ * @param {{ pane: HTMLElement, engine: Engine, run: Run, session: Session, files: Files }} parts
  */
-export function createControls({ pane, engine, run, session }) {
-  const preset = h('select', { id: 'preset' }, ...session.presets.map(({ name, title }) => h('option', { value: name }, title)));
+export function createControls({ pane, engine, run, session, files }) {
+  const kinds = text.presets.map(({ label, holds }) => ({ label, presets: session.presets.filter(({ name }) => text.presets.find((kind) => kind.holds.test(name))?.holds === holds) }));
+  const preset = h(
+    'select',
+    { id: 'preset' },
+    ...kinds.filter(({ presets }) => presets.length > 0).map(({ label, presets }) => h('optgroup', { label }, ...presets.map(({ name, title }) => h('option', { value: name }, title)))),
+  );
   const about = h('p', { class: 'preset-about' });
   preset.addEventListener('change', () => void session.choosePreset(preset.value));
 
-  const wiring = { change: (/** @type {Parameter} */ parameter, /** @type {Value} */ value) => void session.change(parameter, value), check, inFull };
+  const wiring = { change: (/** @type {Parameter} */ parameter, /** @type {Value} */ value) => void session.change(parameter, value), check, inFull, files };
   const parameters = session.schema.filter((parameter) => parameter.type !== 'seed');
   const controls = parameters.map((parameter) => ({ parameter, control: createControl(parameter, wiring) }));
   const groups = [...new Set(parameters.map((parameter) => parameter.group))].map((group, index) => {

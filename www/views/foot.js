@@ -5,12 +5,11 @@ import { LONGEST_LINK } from '../pack.js';
 import { createSvgContext } from '../draw/svgcontext.js';
 import { drawNames, drawWorld } from '../draw/world.js';
 
-/** @import { Engine } from '../engine.js' */
+/** @import { Lens } from '../lens.js' */
 /** @import { Run } from '../run.js' */
 /** @import { State } from '../state.js' */
 /** @import { Session } from '../session.js' */
 /** @import { Theme } from '../draw/theme.js' */
-/** @import { WorldView } from './world.js' */
 /** @import { History } from '../types.js' */
 
 const EVERY_MS = 500;
@@ -19,10 +18,12 @@ const PICTURE_SCALE = 2;
 /**
  * The footer: what runs and how fast, and everything that can be taken away.
  *
- * @param {{ pane: HTMLElement, engine: Engine, run: Run, state: State, session: Session, world: () => WorldView, theme: () => Theme,
+ * @param {{ pane: HTMLElement, run: Run, lens: Lens, state: State, session: Session, theme: () => Theme, open: () => void,
  *   treeSvg: () => string | null, say: (message: string, kind?: 'note' | 'problem', offers?: { label: string, press: () => void }[]) => void }} parts
+ *   pictures and files show what `lens` looks at; `open` asks for a file and opens it
  */
-export function createFoot({ pane, engine, run, state, session, world, theme, treeSvg, say }) {
+export function createFoot({ pane, run, lens, state, session, theme, open, treeSvg, say }) {
+  const { world } = lens;
   const fingerprint = h('output', { id: 'fingerprint', title: text.foot.fingerprint, 'aria-label': text.foot.fingerprint });
   const fps = h('output', { id: 'fps', 'aria-label': text.foot.fps });
   const pace = h('output', { id: 'ms', 'aria-label': text.foot.ms });
@@ -37,11 +38,13 @@ export function createFoot({ pane, engine, run, state, session, world, theme, tr
       button(text.foot.treeSvg, tree, { title: text.foot.treeSvgLong }),
       button('CSV', () => void csv().catch(() => {}), { title: text.foot.csv }),
       button('JSON', json, { title: text.foot.json }),
+      button(text.foot.open, open, { title: text.foot.openLong }),
       button(text.foot.cite, () => void cite(), { title: text.foot.citeLong }),
     ),
   );
 
-  const stem = () => `swarm-${session.preset}-seed${run.scenario.seed}-tick${run.tick}`;
+  const stem = () => `swarm-${session.preset}${lens.side() && `-${lens.side()}`}-seed${run.scenario.seed}-tick${run.tick}`;
+  const caption = () => text.foot.caption(session.preset, lens.side(), run.scenario.seed, run.tick);
   const address = async () => new URL(await session.link(), location.href).href;
 
   /** A link names one moment: while the world runs, the moment of the click. */
@@ -69,8 +72,8 @@ export function createFoot({ pane, engine, run, state, session, world, theme, tr
     const context = createSvgContext(view.size, view.size);
     const canvas = /** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context));
     drawWorld(canvas, view, theme());
-    drawNames(canvas, view, theme(), text.foot.caption(session.preset, run.scenario.seed, run.tick));
-    save(`${stem()}.svg`, new Blob([context.toString(text.foot.caption(session.preset, run.scenario.seed, run.tick), theme().ground)], { type: 'image/svg+xml' }));
+    drawNames(canvas, view, theme(), caption());
+    save(`${stem()}.svg`, new Blob([context.toString(caption(), theme().ground)], { type: 'image/svg+xml' }));
   }
 
   function png() {
@@ -80,7 +83,7 @@ export function createFoot({ pane, engine, run, state, session, world, theme, tr
     const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.scale(PICTURE_SCALE, PICTURE_SCALE);
     drawWorld(context, view, theme());
-    drawNames(context, view, theme(), text.foot.caption(session.preset, run.scenario.seed, run.tick));
+    drawNames(context, view, theme(), caption());
     context.globalCompositeOperation = 'destination-over';
     context.fillStyle = theme().ground;
     context.fillRect(0, 0, view.size, view.size);
@@ -95,7 +98,7 @@ export function createFoot({ pane, engine, run, state, session, world, theme, tr
 
   async function csv() {
     /** @type {History} */
-    const history = (await engine.request('history', { from: 0 })).history;
+    const history = (await lens.engine.request('history', { from: 0 })).history;
     const rows = history.delivered.map((delivered, index) =>
       [(history.from + index) * history.every, delivered, history.carrying[index], history.programs[index], history.swaps[index]].join(','),
     );
@@ -103,7 +106,7 @@ export function createFoot({ pane, engine, run, state, session, world, theme, tr
   }
 
   function json() {
-    save(`${stem()}.json`, new Blob([JSON.stringify(run.scenario, null, 2)], { type: 'application/json' }));
+    save(`${stem()}.json`, new Blob([JSON.stringify(lens.run.scenario, null, 2)], { type: 'application/json' }));
   }
 
   function showFingerprint() {

@@ -3,15 +3,15 @@ import { text } from '../ui/strings.en.js';
 import { createTreeFigure } from './treefigure.js';
 
 /** @import { Engine } from '../engine.js' */
-/** @import { Run } from '../run.js' */
+/** @import { SeenRun } from '../lens.js' */
 /** @import { Selection } from '../selection.js' */
 /** @import { Derivation, Derived, Detail } from '../types.js' */
 
 /**
  * Codons, grammar rules and tree nodes, linked. Changing a codon is a what-if: it never touches the run.
  *
- * @param {Engine} engine
- * @param {Run} run
+ * @param {Pick<Engine, 'request'>} engine
+ * @param {SeenRun} run
  * @param {Selection} selection
  */
 export function createGenomeTab(engine, run, selection) {

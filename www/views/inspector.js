@@ -9,7 +9,7 @@ import { createAgentTab } from './agenttab.js';
 import { createGenomeTab } from './genometab.js';
 
 /** @import { Engine } from '../engine.js' */
-/** @import { Run } from '../run.js' */
+/** @import { SeenRun } from '../lens.js' */
 /** @import { State } from '../state.js' */
 /** @import { Selection } from '../selection.js' */
 /** @import { Detail } from '../types.js' */
@@ -20,7 +20,7 @@ const EVERY_MS = 120;
 /**
  * The right pane. Asks the engine only for what its open tab shows, one question at a time.
  *
- * @param {{ pane: HTMLElement, engine: Engine, run: Run, state: State, selection: Selection, theme: () => Theme, onTheme: (listener: () => void) => void, ringed: () => void,
+ * @param {{ pane: HTMLElement, engine: Pick<Engine, 'request'>, run: SeenRun, state: State, selection: Selection, theme: () => Theme, onTheme: (listener: () => void) => void, ringed: () => void,
  *   openTree: (xml: string, title: string) => Promise<void>, say: (message: string, kind?: 'note' | 'problem') => void }} parts
  *   `ringed` is called when other robots are to be ringed, `openTree` shows a tree in the workbench
  */

@@ -2,6 +2,7 @@ import { h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { createAgentTable } from './agenttable.js';
 
+/** @import { Lens } from '../lens.js' */
 /** @import { Run } from '../run.js' */
 /** @import { State } from '../state.js' */
 /** @import { Selection } from '../selection.js' */
@@ -12,9 +13,9 @@ const SUMMARY_EVERY_MS = 5000;
 /**
  * Under the world: the layers with their counts as switches, the summary for screen readers, the table.
  *
- * @param {{ pane: HTMLElement, run: Run, state: State, selection: Selection, world: WorldView }} parts
+ * @param {{ pane: HTMLElement, run: Run, lens: Lens, state: State, selection: Selection, world: WorldView }} parts
  */
-export function createLegend({ pane, run, state, selection, world }) {
+export function createLegend({ pane, run, lens, state, selection, world }) {
   const { view } = world;
   const layers = /** @type {(keyof typeof view.layers)[]} */ (['robots', 'food', 'carried', 'delivered', 'trails']);
   const counts = new Map(layers.map((layer) => [layer, h('output', {})]));
@@ -27,7 +28,7 @@ export function createLegend({ pane, run, state, selection, world }) {
     });
     return h('label', { class: 'layer', 'data-layer': layer }, box, h('i', { class: 'swatch', 'aria-hidden': 'true' }), names.get(layer) ?? '', ' ', counts.get(layer) ?? '');
   });
-  const table = createAgentTable(run, selection, world);
+  const table = createAgentTable(lens, selection);
   const tableSwitch = h('button', { type: 'button', class: 'quiet', 'aria-pressed': 'false' }, text.world.table);
   tableSwitch.addEventListener('click', () => {
     const shown = tableSwitch.getAttribute('aria-pressed') !== 'true';

@@ -1,7 +1,7 @@
 import { agentTowards, agentsNear } from '../draw/frame.js';
 import { markRadius, scaleOf } from '../draw/world.js';
 
-/** @import { Run } from '../run.js' */
+/** @import { Seen } from '../lens.js' */
 /** @import { Selection } from '../selection.js' */
 /** @import { View } from '../draw/world.js' */
 
@@ -16,11 +16,12 @@ const ARROWS = new Map([
 /**
  * Choosing robots by click and by keyboard, and moving the part of the world that is shown.
  *
- * @param {{ view: View, canvas: HTMLCanvasElement, ready: () => boolean, invalidate: () => void, zoomTo: (zoom: number) => void }} world
- * @param {Run} run
+ * @param {{ view: View, canvas: HTMLCanvasElement, ready: () => boolean, invalidate: () => void, zoomTo: (zoom: number) => void, aim: () => void }} world
+ *   `aim` brings the camera to the robot that is followed
+ * @param {Seen} run
  * @param {Selection} selection
  */
-export function bindPicking({ view, canvas, ready, invalidate, zoomTo }, run, selection) {
+export function bindPicking({ view, canvas, ready, invalidate, zoomTo, aim }, run, selection) {
   /** @type {{ x: number, y: number, moved: boolean } | null} */
   let press = null;
 
@@ -69,7 +70,7 @@ export function bindPicking({ view, canvas, ready, invalidate, zoomTo }, run, se
     if (key === 'End') return view.at.agents - 1;
     const direction = ARROWS.get(key);
     if (!direction) return undefined;
-    if (selection.agent === null) return 0;
+    if (selection.agent === null || selection.agent >= view.at.agents) return 0;
     return agentTowards(run.frame, view.at, selection.agent, direction[0], direction[1]);
   }
 
@@ -83,6 +84,7 @@ export function bindPicking({ view, canvas, ready, invalidate, zoomTo }, run, se
   /** Another click on the same spot takes the next robot there. @param {PointerEvent} event */
   function pick(event) {
     if (!ready()) return;
+    aim();
     const box = canvas.getBoundingClientRect();
     const scale = scaleOf(view);
     const x = view.camera.x + (event.clientX - box.left - view.size / 2) / scale;

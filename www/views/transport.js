@@ -108,15 +108,15 @@ export function createTransport({ pane, run, state, session, say }) {
   }
 
   function showTick() {
+    if (scrub.max !== String(run.steps)) {
+      scrub.max = String(run.steps);
+      write(last, text.transport.of(run.steps));
+    }
     write(tick, run.tick);
     scrub.value = String(run.tick);
   }
 
-  run.on('loaded', () => {
-    scrub.max = String(run.steps);
-    write(last, text.transport.of(run.steps));
-    showTick();
-  });
+  run.on('loaded', showTick);
   run.on('frame', showTick);
   run.on('progress', (now, target) => {
     write(progress, text.transport.progress(now, target));

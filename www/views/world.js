@@ -5,7 +5,7 @@ import { createTrail } from '../draw/trail.js';
 import { NAMED, drawWorld, markRadius, scaleOf, sinkOf } from '../draw/world.js';
 import { bindPicking } from './picking.js';
 
-/** @import { Run } from '../run.js' */
+/** @import { Seen } from '../lens.js' */
 /** @import { State } from '../state.js' */
 /** @import { Selection } from '../selection.js' */
 /** @import { Theme } from '../draw/theme.js' */
@@ -16,19 +16,30 @@ const LARGEST_ZOOM = 8;
 const FOLLOW_ZOOM = 3;
 
 /**
+ * @typedef {object} Beside what a second world takes from the first, so that one camera and one legend serve both
+ * @property {View} view
+ * @property {() => void} invalidate draws the first, and then the second
+ * @property {(zoom: number) => void} zoomTo
+ * @property {() => void} fit
+ * @property {string} id
+ * @property {string} describedBy
+ */
+
+/**
  * The world: canvas for what moves, SVG over it for selection and names.
  *
- * @param {{ pane: HTMLElement, run: Run, state: State, selection: Selection, theme: () => Theme, drawn: () => void }} parts
- *   `drawn` is called after each drawing
+ * @param {{ pane: HTMLElement, run: Seen & { on: (name: 'loaded' | 'frame', listener: () => void) => void }, state: State, selection: Selection,
+ *   theme: () => Theme, drawn: () => void, rings?: () => boolean, beside?: Beside | null }} parts
+ *   `drawn` is called after each drawing, `rings` says whether the chosen node is one of this world's trees
  */
-export function createWorldView({ pane, run, state, selection, theme, drawn }) {
-  const canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': text.world.label, 'aria-describedby': 'summary', id: 'canvas' });
+export function createWorldView({ pane, run, state, selection, theme, drawn, rings = () => true, beside = null }) {
+  const canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': text.world.label, 'aria-describedby': beside?.describedBy ?? 'summary', id: beside?.id ?? 'canvas' });
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
   const places = s('g', { class: 'place-names' });
   const ring = s('circle', { class: 'selected-ring', hidden: true });
   const name = s('text', { class: 'selected-name' });
   const overlay = s('svg', { class: 'overlay', 'aria-hidden': 'true' }, places, ring, name);
-  const tag = h('p', { class: 'tag', id: 'tag' });
+  const tag = h('p', { class: 'tag', id: beside ? null : 'tag' });
   const zoomBar = h(
     'div',
     { class: 'zoom', role: 'group', 'aria-label': text.world.zoom },
@@ -38,15 +49,16 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
   );
   const stage = h('div', { class: 'stage' }, canvas, overlay);
   const lede = pane.querySelector('.lede') ?? '';
-  pane.append(h('div', { class: 'world-head' }, lede, tag, zoomBar), stage);
+  const head = h('div', { class: 'world-head' }, lede, tag, zoomBar);
+  pane.append(...(beside ? [stage] : [head, stage]));
 
   /** @type {View | null} */
   let ready = null;
   /** What is drawn; `ready` is null until the first world stands. */
   const view = /** @type {View} */ ({
-    camera: { x: 0, y: 0, zoom: 1 },
+    camera: beside?.view.camera ?? { x: 0, y: 0, zoom: 1 },
     size: 0,
-    layers: { robots: true, food: true, carried: true, delivered: true, trails: false },
+    layers: beside?.view.layers ?? { robots: true, food: true, carried: true, delivered: true, trails: false },
   });
   let pixelRatio = 0;
   let asked = false;
@@ -57,14 +69,21 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
     canvas,
     overlay,
     stage,
-    invalidate,
-    zoomTo,
-    fit,
+    head,
+    draw,
+    invalidate: beside?.invalidate ?? invalidate,
+    zoomTo: beside?.zoomTo ?? zoomTo,
+    fit: beside?.fit ?? fit,
+    aim,
     /** Whether a world stands. */
     ready: () => ready !== null,
   };
 
   function invalidate() {
+    if (beside) {
+      beside.invalidate();
+      return;
+    }
     if (asked) return;
     asked = true;
     requestAnimationFrame(draw);
@@ -75,15 +94,21 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
     if (!ready || view.size === 0) return;
     if (pixelRatio !== devicePixelRatio) resize();
     view.frame = run.frame;
-    if (selection.follow && selection.agent !== null) centreOn(selection.agent);
+    aim();
+    canvas.classList.toggle('zoomed', view.camera.zoom > 1);
     context.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
     drawWorld(context, view, theme());
     placeOverlay();
     drawn();
   }
 
-  /** @param {number} agent */
-  function centreOn(agent) {
+  /** The chosen robot, where this world has one of that number. */
+  const chosen = () => (selection.agent !== null && selection.agent < view.at.agents ? selection.agent : null);
+
+  /** Brings the camera to the robot that is followed. */
+  function aim() {
+    const agent = ready && selection.follow ? chosen() : null;
+    if (agent === null) return;
     const base = view.at.agentStart + agent * view.at.agentStride;
     view.camera.x = view.frame[base + view.at.x];
     view.camera.y = view.frame[base + view.at.y];
@@ -100,7 +125,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
       label.setAttribute('y', String(size / 2 - (place.y + place.radius - camera.y) * scale - 10));
     });
     deliveredShown = delivered;
-    const agent = selection.agent;
+    const agent = chosen();
     ring.toggleAttribute('hidden', agent === null);
     if (agent === null) {
       write(name, '');
@@ -134,14 +159,12 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
   function zoomTo(zoom) {
     view.camera.zoom = Math.min(Math.max(zoom, 1), LARGEST_ZOOM);
     if (view.camera.zoom === 1) fit();
-    canvas.classList.toggle('zoomed', view.camera.zoom > 1);
     invalidate();
   }
 
   function fit() {
     Object.assign(view.camera, { x: 0, y: 0, zoom: 1 });
     if (selection.follow) selection.toggleFollow();
-    canvas.classList.remove('zoomed');
     invalidate();
   }
 
@@ -155,7 +178,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
     ready = view;
     deliveredShown = -1;
     places.replaceChildren(...run.layout.places.map((place) => s('text', { 'text-anchor': 'middle' }, NAMED.has(place.kind) ? text.world.place(place.kind) : '')));
-    if (selection.agent !== null && selection.agent >= view.at.agents) selection.selectAgent(null);
+    if (!beside && selection.agent !== null && selection.agent >= view.at.agents) selection.selectAgent(null);
     invalidate();
   });
   run.on('frame', () => {
@@ -163,7 +186,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
     invalidate();
   });
   selection.on(() => {
-    if (selection.follow && view.camera.zoom === 1) zoomTo(FOLLOW_ZOOM);
+    if (!beside && selection.follow && view.camera.zoom === 1) zoomTo(FOLLOW_ZOOM);
     showRinged();
   });
   state.on((now, reason) => {
@@ -175,7 +198,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn }) {
   function showRinged() {
     if (!ready) return;
     view.ringed.fill(0);
-    for (const id of selection.reached) view.ringed[id] = 1;
+    for (const id of rings() ? selection.reached : []) view.ringed[id] = 1;
     invalidate();
   }
 

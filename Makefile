@@ -20,7 +20,7 @@ help:
 
 # The browser's address is printed last; the sources of the page are served, so an edit shows at once.
 play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json www/engine/swarm_playground_bg.wasm \
-  www/trees/engine/swarm_playground_bg.wasm
+  www/trees/engine/swarm_playground_bg.wasm www/studies/engine/swarm_playground_bg.wasm
 	@node scripts/play.mjs
 
 test: check
@@ -34,13 +34,13 @@ bench: check engine
 	@node scripts/bench.mjs
 
 clean:
-	rm -rf dist www/engine www/trees/engine
+	rm -rf dist www/engine www/trees/engine www/studies/engine
 	cargo clean
 
 # Steps of the above, by name for scripts/test.mjs.
 tools: .tools/bin/wasm-pack
 packages: node_modules/.package-lock.json
-engine: www/engine/.optimised www/trees/engine/.optimised
+engine: www/engine/.optimised www/trees/engine/.optimised www/studies/engine/.optimised
 
 check:
 	@sh scripts/check.sh $(MAKECMDGOALS)
@@ -62,9 +62,9 @@ node_modules/.package-lock.json: package-lock.json | check
 	@npm ci --no-audit --no-fund --loglevel error
 	@touch $@
 
-# The engine is two wasm files: the worlds, and the tree workbench, which the page loads when it is opened. Each is
-# built in one place in two ways: quickly for `make play`, and optimised for everything that is given away or measured.
-# The file .optimised says which one is there; `make play` takes either.
+# The engine is three wasm files: the worlds, and the tree workbench and the studies, which the page loads when they are
+# opened. Each is built in one place in two ways: quickly for `make play`, and optimised for everything that is given away
+# or measured. The file .optimised says which one is there; `make play` takes either.
 #   $(call wasm_pack_build,FACE,FOLDER,OPTIONS OF WASM-PACK)
 # The worlds are in the first load, so they are built for size, but with more inlining than that implies: a tenth smaller
 # than the fastest build, and nearly as fast.
@@ -94,4 +94,14 @@ www/trees/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pac
 www/trees/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
 	@echo 'Building the optimised tree workbench'
 	@$(call wasm_pack_build,trees,www/trees/engine)
+	@touch $@
+
+www/studies/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
+	@echo 'Building the engine of the studies'
+	@rm -f www/studies/engine/.optimised
+	@$(call wasm_pack_build,studies,www/studies/engine,--no-opt)
+
+www/studies/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
+	@echo 'Building the optimised engine of the studies'
+	@$(call wasm_pack_build,studies,www/studies/engine)
 	@touch $@

@@ -4,7 +4,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use serde_json::{Value, json};
-use swarm_playground::study::{Results, Row, Study, figure, report};
+use swarm_playground::study::{Report, Results, Row, Study, figure, report};
 
 /// Two cells of 64 runs: the first succeeds 48 times, the second 6 times, as in the paper.
 fn published() -> Value {
@@ -64,6 +64,24 @@ fn the_published_numbers_are_reported_as_reproduced() {
     ];
     for line in lines {
         assert!(text.contains(line), "no \"{line}\" in\n{text}");
+    }
+}
+
+#[test]
+fn the_report_as_data_holds_the_tables_of_its_markdown() {
+    let results = results(&published(), 9);
+    let data = Report::of(&results);
+    assert_eq!(data.extent, "4 to 5 of 64 seeds from 1 in each cell, not complete");
+    let names: Vec<&str> = data.sections.iter().map(|section| section.name).collect();
+    assert_eq!(names, ["success", "share", "steps_to_80", "tests", "paper"]);
+    let markdown = report(&results);
+    for section in &data.sections {
+        assert!(markdown.contains(&format!("## {}\n\n{}", section.title, section.note)), "{}", section.title);
+        for row in &section.rows {
+            assert_eq!(row.len(), section.columns.len());
+            let line = row.iter().map(|field| field.replace('|', "\\|")).collect::<Vec<_>>().join(" | ");
+            assert!(markdown.contains(&format!("| {line} |")), "{line}");
+        }
     }
 }
 

@@ -203,7 +203,7 @@ impl Metric {
 
 /// The steps after which half, and 80 %, of the items were delivered.
 #[derive(Clone, Copy, Debug, Default)]
-struct Reached {
+pub(super) struct Reached {
     half: Option<u32>,
     most: Option<u32>,
 }
@@ -221,17 +221,22 @@ fn outcome(run: &Run) -> crate::geese::Outcome {
     outcome
 }
 
-/// Makes a run to its end, or until nothing more can change `metrics`; returns them in their order, `None` for what
-/// never came about.
-pub fn measure(run: &mut Run, metrics: &[Metric]) -> Vec<Option<f64>> {
-    let mut reached = Reached::default();
-    loop {
+/// Makes up to `steps` steps of a run; returns whether it is over: it has ended, or nothing more can change `metrics`.
+///
+/// - `reached`: what was noted of the run so far; at its start, the default.
+pub(super) fn advance(run: &mut Run, metrics: &[Metric], reached: &mut Reached, steps: u32) -> bool {
+    for _ in 0..steps {
         reached.note(run);
-        let is_settled = metrics.iter().all(|metric| metric.is_settled(run, &reached));
+        let is_settled = metrics.iter().all(|metric| metric.is_settled(run, reached));
         if is_settled || run.advance(1) == 0 {
-            break;
+            return true;
         }
     }
+    false
+}
+
+/// The metrics of a run as it stands, in their order; `None` for what has not come about.
+pub(super) fn measure(run: &Run, metrics: &[Metric], reached: &Reached) -> Vec<Option<f64>> {
     let measure = run.geese().map(Measure::of);
-    metrics.iter().map(|metric| metric.of(run, measure.as_ref()?, &reached)).collect()
+    metrics.iter().map(|metric| metric.of(run, measure.as_ref()?, reached)).collect()
 }

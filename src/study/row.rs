@@ -1,9 +1,7 @@
 //! One run of a study, and how it stands in a results file.
 
 use super::cells::COLUMNS;
-use super::metrics::measure;
 use super::spec::{Study, VERSION};
-use crate::scenario::Run;
 
 /// What one run gave.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,24 +14,16 @@ pub struct Row {
     pub end: Result<u64, String>,
 }
 
-impl Study {
-    /// Makes a run.
+impl Row {
+    /// The row of a run that gave no numbers.
     ///
-    /// - `run`: below [`Study::run_count`].
+    /// - `reason`: what happened; a row is one line, so control characters become spaces.
     #[must_use]
-    pub fn make(&self, run: u32) -> Row {
-        let (cell, seed) = self.job(run);
-        match Run::new(self.cells[cell].scenario_of(seed)) {
-            Ok(mut world) => {
-                let metrics = measure(&mut world, &self.metrics);
-                Row { run, metrics, end: Ok(world.fingerprint()) }
-            }
-            Err(error) => {
-                // A row is one line.
-                let reason = error.to_string().replace(|letter: char| letter.is_control(), " ");
-                Row { run, metrics: vec![None; self.metrics.len()], end: Err(reason) }
-            }
-        }
+    pub fn failed(study: &Study, run: u32, reason: &str) -> Self {
+        let reason = reason.replace(|letter: char| letter.is_control(), " ");
+        let reason = Some(reason.trim().to_owned()).filter(|reason| !reason.is_empty());
+        let end = Err(reason.unwrap_or_else(|| "no reason was given".to_owned()));
+        Self { run, metrics: vec![None; study.metrics.len()], end }
     }
 }
 

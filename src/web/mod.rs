@@ -25,6 +25,14 @@ pub fn version() -> String {
     env!("CARGO_PKG_VERSION").to_owned()
 }
 
+/// Every parameter as JSON.
+#[cfg(any(feature = "worlds", feature = "studies"))]
+#[wasm_bindgen]
+#[must_use]
+pub fn schema() -> String {
+    crate::scenario::schema().to_string()
+}
+
 #[cfg(any(feature = "worlds", feature = "trees", feature = "studies"))]
 fn error(error: &impl ToString) -> JsError {
     JsError::new(&error.to_string())

@@ -4,6 +4,7 @@
 use super::{answer, error};
 use crate::study;
 use serde_json::{Value, json};
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 /// Every metric with its words, as JSON.
@@ -15,11 +16,46 @@ pub fn metrics() -> String {
     Value::Array(study::Metric::ALL.iter().map(metric).collect()).to_string()
 }
 
+/// What a study file says, as JSON: `{"outline": ...}` with its words, cells, factors and the runs of each size, or
+/// `{"fault": ...}` with the path of the field and the message.
+///
+/// - `presets`: the texts of the scenarios it may name, as a JSON object by name.
+///
+/// # Errors
+/// The presets are no such object.
+#[wasm_bindgen]
+pub fn check(spec: &str, presets: &str) -> Result<String, JsError> {
+    let study = match with_presets(presets, |presets| study::Study::read(spec, presets))? {
+        Ok(study) => study,
+        Err(fault) => return Ok(json!({"fault": {"path": fault.path, "message": fault.message}}).to_string()),
+    };
+    let size = |(name, size): &(&str, study::Size)| {
+        let sized = study.sized(*size).ok()?;
+        Some(json!({"size": name, "runs": sized.run_count(), "seeds": sized.seeds, "robot_steps": sized.robot_steps(),
+            "hash": format!("{:016x}", sized.hash())}))
+    };
+    let outline = json!({
+        "name": study.name, "title": study.title, "about": study.about,
+        "cells": study.cells.iter().map(|cell| cell.name.as_str()).collect::<Vec<_>>(),
+        "factors": study.factors(),
+        "sizes": study::Size::ALL.iter().filter_map(size).collect::<Vec<_>>(),
+    });
+    Ok(json!({"outline": outline}).to_string())
+}
+
+fn with_presets<T>(presets: &str, read: impl FnOnce(&study::Presets) -> T) -> Result<T, JsError> {
+    let presets: std::collections::BTreeMap<String, String> =
+        serde_json::from_str(presets).map_err(|fault| error(&fault))?;
+    let presets: Vec<(&str, &str)> = presets.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
+    Ok(read(&presets))
+}
+
 /// A study in one of its sizes.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Study {
-    study: study::Study,
+    /// Results without a row: the study, and how its rows are written.
+    empty: Rc<study::Results>,
 }
 
 #[wasm_bindgen]
@@ -34,61 +70,104 @@ impl Study {
     /// The study is not valid, or has no such size; the message says where and why.
     #[wasm_bindgen(constructor)]
     pub fn new(spec: &str, presets: &str, size: &str) -> Result<Study, JsError> {
-        let presets: std::collections::BTreeMap<String, String> =
-            serde_json::from_str(presets).map_err(|fault| error(&fault))?;
-        let presets: Vec<(&str, &str)> = presets.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
         let size = study::Size::ALL.iter().find(|known| known.0 == size).map(|known| known.1);
         let size = size.ok_or_else(|| JsError::new("expected a size, one of \"glance\", \"class\", \"paper\""))?;
-        let study = study::Study::read(spec, &presets).and_then(|study| study.sized(size));
-        Ok(Study { study: study.map_err(|fault| error(&fault))? })
+        let study =
+            with_presets(presets, |presets| study::Study::read(spec, presets).and_then(|study| study.sized(size)))?;
+        let study = study.map_err(|fault| error(&fault))?;
+        Ok(Study { empty: Rc::new(study::Results::new(study)) })
     }
 
-    /// The study as JSON that needs no presets, for the other workers and for beside the results.
+    /// The study as JSON that needs no presets, for the other workers; the bytes of the file that the command line writes
+    /// beside results.
     #[must_use]
     pub fn complete(&self) -> String {
-        self.study.to_value().to_string()
+        format!("{:#}\n", self.empty.study().to_value())
     }
 
-    /// What there is to do, as JSON: the cells' names, the number of runs, the hash by which results are kept, and the
-    /// header of the results file.
+    /// What there is to do, as JSON: the cells' names, the number of runs and of seeds, robots times steps of a run of
+    /// each cell, the hash by which results are kept, and the header of the results file. Run `i` is of cell `i` modulo the cells.
     #[must_use]
     pub fn plan(&self) -> String {
-        let study = &self.study;
+        let study = self.empty.study();
         let plan = json!({
             "cells": study.cells.iter().map(|cell| cell.name.as_str()).collect::<Vec<_>>(),
             "runs": study.run_count(),
+            "seeds": study.seeds,
+            "robot_steps": study.cells.iter().map(study::Cell::robot_steps).collect::<Vec<_>>(),
             "hash": format!("{:016x}", study.hash()),
             "version": study::VERSION,
-            "header": study::Results::new(study.clone()).header(),
+            "header": self.empty.header(),
         });
         plan.to_string()
     }
 
-    /// Makes a run; returns its line of the results file.
+    /// A run at its start.
     ///
     /// # Errors
     /// The study has no such run.
-    pub fn make(&self, run: u32) -> Result<String, JsError> {
-        if run >= self.study.run_count() {
-            return Err(JsError::new(&format!("expected a run below {}, found {run}", self.study.run_count())));
-        }
-        let row = self.study.make(run);
-        Ok(study::Results::new(self.study.clone()).line(&row))
+    pub fn start(&self, run: u32) -> Result<Job, JsError> {
+        self.known(run)?;
+        Ok(Job { job: self.empty.study().start(run), empty: Rc::clone(&self.empty) })
+    }
+
+    /// The line of the results file for a run that gave no numbers.
+    ///
+    /// # Errors
+    /// The study has no such run.
+    pub fn failed(&self, run: u32, reason: &str) -> Result<String, JsError> {
+        self.known(run)?;
+        Ok(self.empty.line(&study::Row::failed(self.empty.study(), run, reason)))
     }
 
     /// The report on a results file, complete or not, as JSON: the file with its rows in order, the runs that are missing,
-    /// the report as Markdown, and the figure as SVG or null.
+    /// the report as data and as Markdown, and the figure as SVG or null.
     ///
     /// # Errors
     /// It is no results file of this study; the message says where and why.
     pub fn report(&self, results: &str) -> Result<String, JsError> {
-        let (results, _) =
-            study::Results::read(self.study.clone(), results.as_bytes()).map_err(|fault| error(&fault))?;
+        let results = study::Results::read(self.empty.study().clone(), results.as_bytes());
+        let (results, _) = results.map_err(|fault| error(&fault))?;
+        let report = study::Report::of(&results);
         Ok(answer(Some(json!({
             "results": results.text(),
             "missing": results.missing(),
-            "report": study::report(&results),
+            "markdown": report.markdown(),
+            "report": report,
             "figure": study::figure(&results),
         }))))
+    }
+
+    fn known(&self, run: u32) -> Result<(), JsError> {
+        let count = self.empty.study().run_count();
+        if run < count { Ok(()) } else { Err(JsError::new(&format!("expected a run below {count}, found {run}"))) }
+    }
+}
+
+/// A run of a study on its way.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct Job {
+    job: study::Job,
+    empty: Rc<study::Results>,
+}
+
+#[wasm_bindgen]
+impl Job {
+    /// Makes up to `steps` steps; returns whether the run is over.
+    pub fn advance(&mut self, steps: u32) -> bool {
+        self.job.advance(steps)
+    }
+
+    /// Steps made so far.
+    #[must_use]
+    pub fn tick(&self) -> u32 {
+        self.job.tick()
+    }
+
+    /// The run's line of the results file, once it is over.
+    #[must_use]
+    pub fn line(&self) -> String {
+        self.empty.line(&self.job.row())
     }
 }

@@ -4,19 +4,12 @@ use super::{answer, error};
 use crate::geese::{
     Derived, Detail, Layout, Query, SAMPLE_EVERY, Task, World as Geese, export_query, fill_frame, grammar_text,
 };
-use crate::scenario::{Run, Scenario, Timeline, schema as parameters};
+use crate::scenario::{Run, Scenario, Timeline};
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
 
 /// Bytes that keyframes may take where the page does not say.
 const KEYFRAME_BYTES: usize = 32 << 20;
-
-/// Every parameter as JSON.
-#[wasm_bindgen]
-#[must_use]
-pub fn schema() -> String {
-    parameters().to_string()
-}
 
 /// The scenario as JSON with every field present.
 ///

@@ -1,4 +1,5 @@
-//! The report on a study's results, as Markdown: what was run, what came out, the tests, and the paper's values beside ours.
+//! The report on a study's results, as data and as Markdown: what was run, what came out, the tests, and the paper's values
+//! beside ours.
 
 mod paper;
 mod table;
@@ -11,6 +12,7 @@ use super::figure::draw;
 use super::metrics::Metric;
 use super::results::Results;
 use super::spec::{Study, VERSION};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// What one cell gave for one metric.
@@ -42,22 +44,80 @@ impl Sample {
     }
 }
 
+/// One part of a report: a table, with how to read it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Section {
+    /// The name of the metric that it describes, or `tests`, or `paper`.
+    pub name: &'static str,
+    /// Its heading.
+    pub title: &'static str,
+    /// How to read the table.
+    pub note: &'static str,
+    /// What stands in each column.
+    pub columns: Vec<&'static str>,
+    /// The table's words, one row a cell or test; the first column is text, the others are mostly numbers.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// Everything that is said of results, complete or not.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Report {
+    /// The study's title, or its name when it has none.
+    pub title: String,
+    /// What the study is about.
+    pub about: String,
+    /// How much there is, such as `7 of 10 seeds from 1 in each cell, not complete`.
+    pub extent: String,
+    /// The study, its extent, version and hash in one sentence.
+    pub run: String,
+    /// Why runs failed, and how many for each reason.
+    pub failures: Vec<(String, u32)>,
+    /// A table for each metric in their order, then the tests and the paper's values where the study has them.
+    pub sections: Vec<Section>,
+}
+
+impl Report {
+    /// The report on results.
+    #[must_use]
+    pub fn of(results: &Results) -> Self {
+        let study = results.study();
+        let mut sections: Vec<Section> = study.metrics.iter().map(|metric| table::section(results, *metric)).collect();
+        sections.extend(tests::section(results));
+        sections.extend(paper::section(results));
+        Self {
+            title: if study.title.is_empty() { study.name.clone() } else { study.title.clone() },
+            about: study.about.clone(),
+            extent: extent(results),
+            run: what_was_run(results),
+            failures: failures(results),
+            sections,
+        }
+    }
+
+    /// The report as Markdown.
+    #[must_use]
+    pub fn markdown(&self) -> String {
+        let mut parts = vec![format!("# {}", self.title)];
+        parts.extend(Some(self.about.clone()).filter(|about| !about.is_empty()));
+        parts.push(self.run.clone());
+        if !self.failures.is_empty() {
+            let line = |(reason, count): &(String, u32)| {
+                format!("* {count} run{}: {reason}", if *count == 1 { "" } else { "s" })
+            };
+            let lines: Vec<String> = self.failures.iter().map(line).collect();
+            parts.push(format!("Runs that failed, which no number below counts:\n\n{}", lines.join("\n")));
+        }
+        for Section { title, note, columns, rows, .. } in &self.sections {
+            parts.push(format!("## {title}\n\n{note}\n\n{}", words::table(columns, rows)));
+        }
+        parts.join("\n\n") + "\n"
+    }
+}
+
 /// The report on results, complete or not, as Markdown.
 #[must_use]
 pub fn report(results: &Results) -> String {
-    let study = results.study();
-    let title = if study.title.is_empty() { &study.name } else { &study.title };
-    let mut parts = vec![format!("# {title}")];
-    parts.extend(Some(study.about.clone()).filter(|about| !about.is_empty()));
-    parts.push(what_was_run(results));
-    parts.extend(failures(results));
-    for metric in &study.metrics {
-        parts.push(format!("## {}\n\n{}", metric.label(), metric.help()));
-        parts.push(table::table(results, *metric));
-    }
-    parts.extend(tests::section(results));
-    parts.extend(paper::section(results));
-    parts.join("\n\n") + "\n"
+    Report::of(results).markdown()
 }
 
 /// The study's figure as the text of an SVG file; `None` when it has none, or no run to show.
@@ -95,15 +155,12 @@ fn extent(results: &Results) -> String {
     format!("{have} of {all} seeds from {first} in each cell{partial}")
 }
 
-fn failures(results: &Results) -> Option<String> {
+fn failures(results: &Results) -> Vec<(String, u32)> {
     let mut reasons: BTreeMap<&str, u32> = BTreeMap::new();
     for row in results.rows() {
         if let Err(reason) = &row.end {
             *reasons.entry(reason).or_default() += 1;
         }
     }
-    let line =
-        |(reason, count): (&&str, &u32)| format!("* {count} run{}: {reason}", if *count == 1 { "" } else { "s" });
-    let lines: Vec<String> = reasons.iter().map(line).collect();
-    (!lines.is_empty()).then(|| format!("Runs that failed, which no number below counts:\n\n{}", lines.join("\n")))
+    reasons.into_iter().map(|(reason, count)| (reason.to_owned(), count)).collect()
 }

@@ -1,7 +1,7 @@
 //! The paper's values beside ours.
 
-use super::Sample;
-use super::words::{interval, number, of_metric, table};
+use super::words::{interval, number, of_metric};
+use super::{Sample, Section};
 use crate::study::metrics::{Form, Metric};
 use crate::study::results::Results;
 use crate::study::statistics::{Estimate, Summary, mean_interval, wilson};
@@ -12,7 +12,7 @@ const RULE: &str = "\"Reproduced\" means that the paper's value lies within the 
 const ENOUGH: usize = 16;
 
 /// The section, if the study has values of the paper.
-pub fn section(results: &Results) -> Option<String> {
+pub fn section(results: &Results) -> Option<Section> {
     let study = results.study();
     if study.paper.is_empty() {
         return None;
@@ -41,8 +41,8 @@ pub fn section(results: &Results) -> Option<String> {
             row
         })
         .collect();
-    let columns = ["cell", "metric", "paper", "ours", "95 % interval", "gap", "verdict"];
-    Some(format!("## Beside the paper\n\n{RULE}\n\n{}", table(&columns, &rows)))
+    let columns = vec!["cell", "metric", "paper", "ours", "95 % interval", "gap", "verdict"];
+    Some(Section { name: "paper", title: "Beside the paper", note: RULE, columns, rows })
 }
 
 fn ours(sample: &Sample, metric: Metric) -> Option<Estimate> {

@@ -1,30 +1,32 @@
 //! What every cell gave for a metric.
 
-use super::Sample;
-use super::words::{interval, of_metric, table as lines};
+use super::words::{interval, of_metric};
+use super::{Sample, Section};
 use crate::study::metrics::{Form, Metric};
 use crate::study::results::Results;
 use crate::study::statistics::{Summary, wilson};
 
-/// The table of a metric, one row a cell.
-pub fn table(results: &Results, metric: Metric) -> String {
+/// The section of a metric, one row a cell.
+pub fn section(results: &Results, metric: Metric) -> Section {
     let study = results.study();
     let samples = study.cells.iter().enumerate().map(|(at, cell)| (&cell.name, Sample::of(results, at, metric)));
-    if metric.form() == Form::Flag {
-        let rows: Vec<Vec<String>> = samples.map(|(name, sample)| successes(name, &sample, metric)).collect();
-        return lines(&["cell", "runs", "successes", "share", "95 % interval (Wilson)"], &rows);
-    }
-    let samples: Vec<_> = samples.collect();
-    let mut columns = vec!["cell", "runs", "mean", "sd", "median", "quartiles", "range"];
-    let can_never = samples.iter().any(|(_, sample)| sample.never > 0);
-    columns.extend(can_never.then_some("never"));
-    let rows = samples.iter().map(|(name, sample)| {
-        let mut row = vec![(*name).clone(), sample.values.len().to_string()];
-        row.extend(described(sample, metric));
-        row.extend(can_never.then(|| sample.never.to_string()));
-        row
-    });
-    lines(&columns, &rows.collect::<Vec<_>>())
+    let (columns, rows) = if metric.form() == Form::Flag {
+        let rows = samples.map(|(name, sample)| successes(name, &sample, metric)).collect();
+        (vec!["cell", "runs", "successes", "share", "95 % interval (Wilson)"], rows)
+    } else {
+        let samples: Vec<_> = samples.collect();
+        let mut columns = vec!["cell", "runs", "mean", "sd", "median", "quartiles", "range"];
+        let can_never = samples.iter().any(|(_, sample)| sample.never > 0);
+        columns.extend(can_never.then_some("never"));
+        let rows = samples.iter().map(|(name, sample)| {
+            let mut row = vec![(*name).clone(), sample.values.len().to_string()];
+            row.extend(described(sample, metric));
+            row.extend(can_never.then(|| sample.never.to_string()));
+            row
+        });
+        (columns, rows.collect())
+    };
+    Section { name: metric.name(), title: metric.label(), note: metric.help(), columns, rows }
 }
 
 fn successes(name: &str, sample: &Sample, metric: Metric) -> Vec<String> {

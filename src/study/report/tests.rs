@@ -1,7 +1,7 @@
 //! The tests of a study, each with its statistic, p values, and an effect size with interval and word.
 
-use super::Sample;
-use super::words::{number, p, table};
+use super::words::{number, p};
+use super::{Sample, Section};
 use crate::study::metrics::Metric;
 use crate::study::plan::{Test, TestKind};
 use crate::study::results::Results;
@@ -25,7 +25,7 @@ struct Done {
 }
 
 /// The section, if the study has tests.
-pub fn section(results: &Results) -> Option<String> {
+pub fn section(results: &Results) -> Option<Section> {
     let tests = &results.study().tests;
     if tests.is_empty() {
         return None;
@@ -57,7 +57,7 @@ pub fn section(results: &Results) -> Option<String> {
         });
         row
     });
-    let columns = [
+    let columns = vec![
         "compared",
         "metric",
         "test",
@@ -70,7 +70,7 @@ pub fn section(results: &Results) -> Option<String> {
         "effect (95 % interval)",
         "size",
     ];
-    Some(format!("## Tests\n\n{RULE}\n\n{}", table(&columns, &rows.collect::<Vec<_>>())))
+    Some(Section { name: "tests", title: "Tests", note: RULE, columns, rows: rows.collect() })
 }
 
 fn compared(results: &Results, test: &Test) -> String {

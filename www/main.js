@@ -11,7 +11,12 @@ import { createThemeSwitch } from './ui/theme.js';
 const live = find('#live');
 const themes = createThemeSwitch();
 const nav = h('nav', { 'aria-label': text.tabs.label });
-const keys = createKeys({ keys: () => keys.open(), 'tab-forage': () => void router.visit('forage'), 'tab-trees': () => void router.visit('trees') });
+const keys = createKeys({
+  keys: () => keys.open(),
+  'tab-forage': () => void router.visit('forage'),
+  'tab-trees': () => void router.visit('trees'),
+  'tab-studies': () => void router.visit('studies'),
+});
 const router = createRouter({
   nav,
   keys,
@@ -27,6 +32,13 @@ const router = createRouter({
       label: text.tabs.trees,
       element: find('#trees'),
       load: async (parts) => (await import('./tabs/trees.js')).createTrees({ ...parts, element: find('#trees'), live }),
+    },
+    {
+      name: 'studies',
+      label: text.tabs.studies,
+      element: find('#studies'),
+      deep: true,
+      load: async (parts) => (await import('./tabs/studies.js')).createStudies({ ...parts, element: find('#studies'), live }),
     },
   ],
 });

@@ -21,6 +21,7 @@ import { splitOnce } from './pack.js';
  * @property {string} name as in the address
  * @property {string} label
  * @property {HTMLElement} element shown while the tab is open
+ * @property {boolean} [deep] whether its addresses go on after its name, as in `#/studies/success`
  * @property {(parts: { address: Address, built: () => void }) => Promise<Tab>} load called once, when the tab is opened first
  *
  * @typedef {Place & { link: HTMLAnchorElement, loading: Promise<Tab> | null, tab: Tab | null, opened: boolean, kept: string, left: string, scroll: number }} Room
@@ -77,7 +78,8 @@ export function createRouter({ places, nav, keys }) {
   /** @param {string} hash */
   function roomOf(hash) {
     const [path] = splitOnce(hash.replace(/^#?\/?/, ''), '?');
-    return rooms.find(({ name }) => name === path) ?? rooms[0]; // the first tab names what it does not know
+    const [tab] = splitOnce(path, '/');
+    return rooms.find(({ name, deep }) => name === (deep ? tab : path)) ?? rooms[0]; // the first tab names what it does not know
   }
 
   /** Shows another tab. @param {Room} room */

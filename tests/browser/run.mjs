@@ -23,6 +23,7 @@ import { cases as treesRun } from './treesrun.mjs';
 import { cases as treesFiles } from './treesfiles.mjs';
 import { cases as treesView } from './treesview.mjs';
 import { cases as treesAccess } from './treesaccess.mjs';
+import { cases as studiesRun } from './studiesrun.mjs';
 
 const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 const executable = findChromium();
@@ -30,7 +31,7 @@ if (!existsSync(`${dist}/index.html`)) fail('the page is not built: run make bui
 if (!executable) fail('no Chromium was found: install it or set CHROMIUM to its path');
 
 const words = process.argv.slice(2);
-const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess]
+const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun]
   .flat()
   .filter(([name]) => words.length === 0 || words.some((word) => name.includes(word)));
 const server = await serve(dist, '/some/sub/path/');

@@ -27,6 +27,7 @@ export const KEYS = [
   { keys: ['Escape'], shown: 'Escape', action: 'clear' },
   { keys: ['1'], shown: '1', action: 'tab-forage' },
   { keys: ['2'], shown: '2', action: 'tab-trees' },
+  { keys: ['3'], shown: '3', action: 'tab-studies' },
   { keys: ['?'], shown: '?', action: 'keys' },
   { keys: [], shown: text.keys.arrows, action: 'world-arrows', tab: 'forage' },
   { keys: [], shown: 'Home, End', action: 'world-ends', tab: 'forage' },

@@ -17,10 +17,10 @@ export function createFault(pane, say) {
      * The engine broke.
      *
      * @param {string} message
-     * @param {{ version: string, tick: number, again: (() => void) | null }} way `again` takes a new engine to the tick that
-     *   was reached; null when nothing was there yet
+     * @param {{ version: string, tick: number, again: (() => void) | null, words?: { reload: string, kept: string } }} way
+     *   `again` takes a new engine to the tick that was reached; null when nothing was there yet
      */
-    broke(message, { version, tick, again }) {
+    broke(message, { version, tick, again, words = { reload: text.fault.reload(tick), kept: text.fault.kept } }) {
       const report = [message, `${text.title} ${version}`, location.href, `tick ${tick}`, navigator.userAgent].join('\n');
       const copyReport = async () => {
         if (await copy(report)) say(text.fault.reported);
@@ -30,10 +30,10 @@ export function createFault(pane, say) {
         box.hidden = true;
         again?.();
       };
-      const way = again ? button(text.fault.reload(tick), reload, { class: 'primary' }) : button(text.fault.retry, () => location.reload(), { class: 'primary' });
+      const way = again ? button(words.reload, reload, { class: 'primary' }) : button(text.fault.retry, () => location.reload(), { class: 'primary' });
       box.replaceChildren(
         h('p', { class: 'message' }, again ? text.fault.broken(message) : text.fault.start(message)),
-        h('p', {}, again ? text.fault.kept : text.fault.commandLine),
+        h('p', {}, again ? words.kept : text.fault.commandLine),
         h('div', { class: 'row' }, way, button(text.fault.report, () => void copyReport())),
       );
       box.hidden = false;

@@ -1,0 +1,229 @@
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { SPEC, linkTo, openStudy } from './studies.mjs';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+
+/** The files that the command line writes for a study. @param {string[]} words */
+function native(...words) {
+  const folder = mkdtempSync(join(tmpdir(), 'swarm-studies-'));
+  try {
+    const out = join(folder, 'out.csv');
+    execFileSync('cargo', ['run', '--quiet', '--', 'study', ...words, '--jobs', '2', '--out', out], { cwd: root, stdio: ['ignore', 'ignore', 'inherit'] });
+    const report = execFileSync('cargo', ['run', '--quiet', '--', 'report', out, '--svg', join(folder, 'out.svg')], { cwd: root, encoding: 'utf8' });
+    return { csv: readFileSync(out, 'utf8'), spec: readFileSync(join(folder, 'out.study.json'), 'utf8'), svg: readFileSync(join(folder, 'out.svg'), 'utf8'), report };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** @type {import('./browser.mjs').Case[]} */
+export const cases = [
+  [
+    'a_glance_study_gives_the_bytes_of_the_command_line',
+    async (open) => {
+      const study = await openStudy(open, '#/studies/agents?size=glance', { acceptDownloads: true });
+      assert.deepEqual(await study.done(), [0, 10]);
+      await study.page.locator('#studies-workers').fill('2');
+      await study.finish();
+      const wanted = native('studies/agents.json', '--size', 'glance');
+      assert.equal(await study.csv(), wanted.csv);
+      const spec = await study.saved('Spec');
+      assert.deepEqual([spec.name, spec.bytes.toString()], ['agents-glance.study.json', wanted.spec]);
+      assert.equal((await study.saved('Report')).bytes.toString(), wanted.report);
+      assert.equal((await study.saved('SVG')).bytes.toString(), wanted.svg);
+      const png = (await study.saved('PNG')).bytes;
+      assert.deepEqual([png.subarray(1, 4).toString(), png.readUInt32BE(16), png.readUInt32BE(20)], ['PNG', 1520, 1000]);
+      assert.deepEqual(study.problems, []);
+    },
+  ],
+  [
+    'any_number_of_workers_gives_the_same_rows',
+    async (open) => {
+      /** @type {string[]} */
+      const files = [];
+      for (const workers of ['1', '3']) {
+        const study = await openStudy(open, linkTo(), { acceptDownloads: true });
+        await study.page.locator('#studies-workers').fill(workers);
+        await study.finish();
+        files.push(await study.csv());
+      }
+      assert.equal(files[0].split('\n').length, 12);
+      assert.equal(files[1], files[0]);
+    },
+  ],
+  [
+    'paused_reloaded_and_resumed_a_study_ends_with_the_same_bytes',
+    async (open) => {
+      const long = linkTo({ scenario: { ...SPEC.scenario, steps: 2500 } });
+      const whole = await openStudy(open, long, { acceptDownloads: true });
+      await whole.finish();
+      const wanted = await whole.csv();
+
+      const study = await openStudy(open, long, { acceptDownloads: true });
+      const { page, run, inState } = study;
+      await run.click();
+      await study.made(2);
+      await run.click();
+      await inState('paused');
+      assert.match((await page.locator('#studies-done').textContent()) ?? '', /1 run under way/);
+      assert.equal(await run.textContent(), 'Resume');
+      const [before] = await study.done();
+      await page.waitForTimeout(700);
+      assert.equal((await study.done())[0], before, 'nothing goes on while it is paused');
+      await run.click();
+      await study.made(before + 2);
+      await page.reload();
+      await study.ready();
+      await study.notice(/of 10 runs were made here before\. Continue makes the rest\./);
+      const [kept] = await study.done();
+      assert.ok(kept >= before + 2, `${kept} rows are there after the reload`);
+      assert.equal(await run.textContent(), 'Continue');
+      await study.finish();
+      assert.equal(await study.csv(), wanted);
+      await page.reload();
+      await study.finished();
+      assert.equal(await study.csv(), wanted, 'a finished study is finished after a reload');
+      assert.deepEqual(study.problems, []);
+    },
+  ],
+  [
+    'a_run_whose_worker_dies_is_made_again',
+    async (open) => {
+      const long = linkTo({ scenario: { ...SPEC.scenario, steps: 2500 } });
+      const whole = await openStudy(open, long, { acceptDownloads: true });
+      await whole.finish();
+      const study = await openStudy(open, long, { acceptDownloads: true });
+      await study.run.click();
+      await study.made(1);
+      const first = await study.hand();
+      await first.evaluate(() => void setTimeout(() => { throw new Error('thrown by the test'); })); // it says so
+      const second = await study.hand((worker) => worker !== first);
+      await study.made(3);
+      await second.evaluate(() => self.close()); // it dies without a word
+      await study.finished();
+      assert.equal(await study.csv(), await whole.csv());
+    },
+  ],
+  [
+    'a_run_that_breaks_its_worker_three_times_is_a_row_with_a_reason',
+    async (open) => {
+      const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 12_000, agents: 100 }, seeds: { first: 5, count: 1 } }), { acceptDownloads: true });
+      await study.run.click();
+      /** @type {import('playwright-core').Worker[]} */
+      const known = [];
+      for (let deaths = 0; deaths < 3; deaths += 1) {
+        const hand = await study.hand((worker) => !known.includes(worker));
+        known.push(hand);
+        // Once it has a run: a worker that is not ready yet has none to lose.
+        await hand.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)));
+        await hand.evaluate(() => void setTimeout(() => { throw new Error('broken by the test'); }));
+      }
+      await study.made(1);
+      await study.stop.click();
+      await study.page.locator('.studies-results .field-error').filter({ hasText: '1 run failed, and no number below counts them' }).waitFor();
+      const [, row] = (await study.csv()).split('\n');
+      assert.match(row, /^0,children 2,2,5,,,,,0\.\d+\.\d+,[0-9a-f]{16},,"?its worker died 3 times, last: Uncaught Error: broken by the test"?$/);
+    },
+  ],
+  [
+    'results_live_with_partial_extent_verdict_and_tests',
+    async (open) => {
+      const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 1500 } }));
+      const { page, run } = study;
+      await run.click();
+      await page.locator('.studies-extent').filter({ hasText: /^\d (to \d )?of 5 seeds from 5 in each cell, not complete\.$/ }).waitFor();
+      assert.ok(await page.locator('.studies-figure').isVisible(), 'the figure is there before the end');
+      await study.finished();
+      const section = (/** @type {string} */ name) => page.locator(`[data-section=${name}]`);
+      assert.match((await section('paper').locator('tbody').textContent()) ?? '', /not reproduced/);
+      assert.equal(await page.locator('.studies-verdicts').textContent(), 'The paper’s values: 1 not reproduced.');
+      assert.match((await section('tests').locator('tbody').textContent()) ?? '', /Mann-Whitney U.*A12/);
+      assert.deepEqual(await section('mean_diversity').locator('thead th').allTextContents(), ['cell', 'runs', 'mean', 'sd', 'median', 'quartiles', 'range']);
+      await page.locator('.studies-more summary').click();
+      assert.match((await section('success').locator('thead').textContent()) ?? '', /Wilson/);
+      assert.ok(await page.locator('.studies-figure').evaluate((image) => /** @type {HTMLImageElement} */ (image).naturalWidth > 0));
+      assert.deepEqual(study.problems, []);
+    },
+  ],
+  [
+    'rows_of_another_version_are_kept_apart',
+    async (open) => {
+      const study = await openStudy(open, linkTo(), { acceptDownloads: true });
+      const hash = await study.page.locator('#studies .hash').textContent();
+      await study.page.evaluate(
+        (key) =>
+          new Promise((resolve, reject) => {
+            const request = indexedDB.open('swarm-playground.studies', 1);
+            request.onsuccess = () => {
+              const transaction = request.result.transaction('rows', 'readwrite');
+              transaction.objectStore('rows').put({ study: key, run: 0, line: 'rows of another version\n' });
+              transaction.oncomplete = () => resolve(null);
+              transaction.onerror = reject;
+            };
+          }),
+        `0.0.9/${hash}`,
+      );
+      await study.page.reload();
+      await study.ready();
+      assert.deepEqual(await study.done(), [0, 10]);
+      await study.notice(/1 row of this study made with version 0\.0\.9 are kept too\. Versions never mix/);
+      await study.finish();
+      assert.doesNotMatch(await study.csv(), /another version/);
+    },
+  ],
+  [
+    'results_are_cleared_and_brought_back',
+    async (open) => {
+      const study = await openStudy(open, linkTo(), { acceptDownloads: true });
+      await study.finish();
+      const wanted = await study.csv();
+      await study.page.getByRole('button', { name: 'Clear results' }).click();
+      await study.notice(/^10 rows cleared\.$/);
+      assert.deepEqual(await study.done(), [0, 10]);
+      await study.page.getByRole('button', { name: 'Bring them back' }).click();
+      await study.finished();
+      assert.equal(await study.csv(), wanted);
+      await study.page.getByRole('button', { name: 'Clear results' }).click();
+      await study.notice(/^10 rows cleared\.$/);
+      await study.page.reload();
+      await study.ready();
+      assert.deepEqual(await study.done(), [0, 10]);
+    },
+  ],
+  [
+    'without_storage_a_study_runs_in_memory_and_says_so',
+    async (open) => {
+      const { page } = await open('#/studies');
+      await page.addInitScript(() => Object.defineProperty(window, 'indexedDB', { value: undefined }));
+      await page.goto(page.url().replace(/#.*/, linkTo()));
+      await page.reload();
+      await page.locator('.notice p').filter({ hasText: /^This browser keeps nothing for the page, so results last/ }).waitFor();
+      await page.locator('#studies-run').click();
+      await page.waitForFunction(() => document.body.dataset.state === 'finished');
+      await page.locator('.studies-extent').filter({ hasText: '5 of 5 seeds' }).waitFor();
+      assert.equal(await page.locator('.notice p').filter({ hasText: 'keeps nothing' }).count(), 1, 'it is said once');
+    },
+  ],
+  [
+    'leaving_the_tab_pauses_and_stop_gives_the_processor_back',
+    async (open) => {
+      const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 6000 } }));
+      const { page, inState } = study;
+      await study.run.click();
+      await study.hand();
+      await page.getByRole('link', { name: 'Trees' }).click();
+      await page.locator('#trees-fingerprint').filter({ hasText: /^[0-9a-f]{16}$/ }).waitFor();
+      await page.getByRole('link', { name: 'Studies' }).click();
+      await inState('paused');
+      assert.equal(await study.run.textContent(), 'Resume');
+      await study.stop.click();
+      for (let tries = 0; study.hands().some((worker) => !/trees/.test(worker.url())) && tries < 200; tries += 1) await page.waitForTimeout(20);
+      assert.ok(await study.stop.isDisabled());
+    },
+  ],
+];

@@ -86,6 +86,21 @@ fn the_report_as_data_holds_the_tables_of_its_markdown() {
 }
 
 #[test]
+fn long_words_stay_within_the_figure() {
+    let mut study = published();
+    study["title"] = json!("t".repeat(200));
+    study["cells"] = json!([{"name": "a".repeat(100)}, {"name": "b".repeat(100), "set": {"geese.children": 2}}]);
+    let fields = study.as_object_mut().expect("an object");
+    fields.retain(|name, _| !["tests", "paper"].contains(&name.as_str()));
+    study["figure"] = json!({"kind": "box", "metric": "share"});
+    let drawn = figure(&results(&study, 8)).expect("there are values");
+    assert!(drawn.contains(&format!(">{}\u{2026}</text>", "t".repeat(76))), "the title is cut");
+    assert!(drawn.contains(&format!("<title>{}</title>", "t".repeat(200))), "and whole in the file");
+    let longest = drawn.split("<text").map(|text| text.matches(['a', 'b']).count()).max();
+    assert!(drawn.contains("aaaa") && longest < Some(90), "names are broken: {longest:?}");
+}
+
+#[test]
 fn what_is_not_there_yet_is_said() {
     let text = report(&results(&published(), 9));
     assert!(text.contains("4 to 5 of 64 seeds from 1 in each cell, not complete."), "{text}");

@@ -24,6 +24,8 @@ import { cases as treesFiles } from './treesfiles.mjs';
 import { cases as treesView } from './treesview.mjs';
 import { cases as treesAccess } from './treesaccess.mjs';
 import { cases as studiesRun } from './studiesrun.mjs';
+import { cases as studiesForm } from './studiesform.mjs';
+import { cases as studiesAccess } from './studiesaccess.mjs';
 
 const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 const executable = findChromium();
@@ -31,7 +33,7 @@ if (!existsSync(`${dist}/index.html`)) fail('the page is not built: run make bui
 if (!executable) fail('no Chromium was found: install it or set CHROMIUM to its path');
 
 const words = process.argv.slice(2);
-const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun]
+const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun, studiesForm, studiesAccess]
   .flat()
   .filter(([name]) => words.length === 0 || words.some((word) => name.includes(word)));
 const server = await serve(dist, '/some/sub/path/');

@@ -38,7 +38,7 @@ export const studiesText = {
     }),
     runs: (/** @type {number} */ runs) => plural(runs, 'run'),
     kept: (/** @type {number} */ kept, /** @type {number} */ runs) => (kept >= runs ? 'all made here' : `${kept} made here`),
-    time: (/** @type {Range} */ range) => `about ${between(range)}`,
+    time: (/** @type {Range} */ range) => between(range),
     noTime: 'How long a study takes is told as soon as a few runs were made on this computer: a glance is enough.',
     hasTime: (/** @type {number} */ workers) => `Times are for ${plural(workers, 'worker')}, from the runs made on this computer so far.`,
     paper: 'has values of the paper',
@@ -95,6 +95,7 @@ export const studiesText = {
     x: 'Along the axis',
     group: 'By colour',
     nothing: 'Nothing',
+    noScenario: 'None: every cell has its own',
     inText: (/** @type {number} */ tests, /** @type {number} */ values) => `${plural(tests, 'test')} and ${plural(values, 'value')} of the paper: edited in the text.`,
     on: 'on',
     off: 'off',
@@ -102,7 +103,7 @@ export const studiesText = {
   },
 
   text: {
-    label: 'The study as text (JSON); the form and it follow each other',
+    label: 'The study as text (JSON)',
     save: 'Save as a file',
     saveLong: 'The study file: the command line runs it unchanged',
     original: 'Back to the file’s own text',
@@ -140,6 +141,7 @@ export const studiesText = {
     none: 'No run has been made yet.',
     start: 'Run makes the runs of this size, cell by cell in turn, so that what there is can be compared at any time.',
     extent: (/** @type {string} */ extent) => `${extent.charAt(0).toUpperCase()}${extent.slice(1)}.`,
+    figureBox: 'Figure',
     figure: (/** @type {string} */ title) => `Figure: ${title}. Its numbers are in the table below.`,
     failed: (/** @type {string} */ reason, /** @type {number} */ count) => `${plural(count, 'run')} failed, and no number below counts them: ${reason}`,
     more: 'All other metrics',

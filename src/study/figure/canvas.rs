@@ -32,8 +32,12 @@ pub struct Canvas {
 impl Canvas {
     /// A sheet with a title above and a line of small print below.
     pub fn new(title: &str, foot: &str) -> Self {
+        const MOST: usize = 76;
         let mut canvas = Self { body: String::new(), title: title.to_owned() };
-        canvas.text([LEFT, 28.0], "title", title);
+        // The whole title stays in the file, as its name.
+        let fits = title.chars().count() <= MOST;
+        let shown = if fits { title.to_owned() } else { title.chars().take(MOST).chain(['\u{2026}']).collect() };
+        canvas.text([LEFT, 28.0], "title", &shown);
         canvas.text([LEFT, HEIGHT - 12.0], "small", foot);
         canvas
     }
@@ -53,14 +57,20 @@ impl Canvas {
     /// A text centred below a place, broken into lines of at most so many pixels; returns how many lines.
     pub fn wrapped(&mut self, [x, y]: [f64; 2], width: f64, text: &str) -> usize {
         const MOST_LINES: usize = 4;
+        // A word that would reach far into the next place is broken anywhere.
+        let longest = ((width * 1.5 / LETTER) as usize).max(1);
+        let words = text.split(' ').flat_map(|word| {
+            let letters: Vec<char> = word.chars().collect();
+            letters.chunks(longest).map(|part| part.iter().collect::<String>()).collect::<Vec<_>>()
+        });
         let mut lines: Vec<String> = Vec::new();
-        for word in text.split(' ') {
+        for word in words {
             match lines.last_mut() {
                 Some(line) if (line.chars().count() + 1 + word.chars().count()) as f64 * LETTER <= width => {
                     line.push(' ');
-                    line.push_str(word);
+                    line.push_str(&word);
                 }
-                _ => lines.push(word.to_owned()),
+                _ => lines.push(word),
             }
         }
         for (place, line) in lines.iter().take(MOST_LINES).enumerate() {

@@ -73,6 +73,7 @@ export function createStudyBar({ pane, run, session, state, speed, cores }) {
     write(left, time());
     const cell = run.slowest();
     write(slow, cell ? text.bar.slowest(cell.name, cell.seconds) : '');
+    slow.title = slow.textContent ?? '';
   }
 
   run.on('plan', show);

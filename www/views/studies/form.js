@@ -63,7 +63,7 @@ export function createStudyForm({ pane, session, presets }) {
     const path = ['scenario'];
     const settings = (/** @type {Path} */ inside, /** @type {any} */ values, prefix = '') => createSettings({ path: inside, values, schema: session.schema, legend: text.form.settings, prefix, change });
     if (value === undefined || value?.preset !== undefined) {
-      const own = value === undefined ? [{ value: '', label: text.form.nothing }, ...choices] : choices;
+      const own = value === undefined ? [{ value: '', label: text.form.noScenario }, ...choices] : choices;
       const preset = choiceField(own, value?.preset ?? '', (chosen) => change([...path, 'preset'], chosen === '' ? undefined : chosen));
       return [labelled([...path, 'preset'], text.form.preset, preset), value === undefined ? null : settings([...path, 'set'], value.set)];
     }

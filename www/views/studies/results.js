@@ -37,7 +37,7 @@ export function createStudyResults({ pane, run, session, state, speed, committed
   const extent = h('p', { class: 'studies-extent' });
   const failures = h('div', {});
   const figure = h('img', { class: 'studies-figure', hidden: true, width: 760, height: 500 });
-  const figureBox = h('div', { class: 'scroll studies-figure-box' }, figure);
+  const figureBox = h('div', { class: 'scroll studies-figure-box', tabindex: 0, role: 'region', 'aria-label': text.results.figureBox, hidden: true }, figure);
   const verdicts = h('p', { class: 'studies-verdicts' });
   const tables = h('div', {});
   const others = h('div', {});
@@ -200,7 +200,10 @@ export function createStudyResults({ pane, run, session, state, speed, committed
 
   run.on('plan', opened);
   run.on('report', show);
-  run.on('moved', show);
+  run.on('moved', (what) => {
+    if (what === 'started' && chosen === 'committed') chosen = 'yours';
+    show();
+  });
   session.on(show);
   state.on(show);
 

@@ -173,6 +173,7 @@ export const cases = [
       await page.locator('input[type=file]').setInputFiles({ name: 'cut.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(SPEC).slice(0, 100)) });
       await page.locator('#studies-fault').filter({ hasText: /EOF while parsing/ }).waitFor();
       assert.equal(await page.locator('.studies-results .stale').textContent(), 'The text is no valid study yet; its fault stands beside it.');
+      assert.ok(await study.run.isDisabled(), 'the study that was open before is not what runs');
       await page.getByRole('link', { name: 'All studies' }).click();
       await page.evaluate((text) => navigator.clipboard.writeText(text), JSON.stringify({ ...SPEC, title: 'Pasted' }));
       await page.getByRole('button', { name: 'Paste' }).click();

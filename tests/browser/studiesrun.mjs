@@ -210,6 +210,48 @@ export const cases = [
     },
   ],
   [
+    'a_full_storage_is_told_once_and_the_study_goes_on',
+    async (open) => {
+      const study = await openStudy(open, linkTo());
+      await study.page.evaluate(() => {
+        IDBObjectStore.prototype.put = () => {
+          throw new DOMException('no room', 'QuotaExceededError');
+        };
+      });
+      await study.finish();
+      assert.equal(await study.page.locator('.notice p').filter({ hasText: 'storage is full' }).count(), 1);
+    },
+  ],
+  [
+    'an_engine_that_breaks_is_started_again_with_study_and_rows',
+    async (open) => {
+      const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 2500 } }));
+      const { page, inState } = study;
+      await study.run.click();
+      await study.made(2);
+      const desk = page.workers().find((worker) => /\/desk-/.test(worker.url()));
+      await desk?.evaluate(() => void setTimeout(() => { throw new Error('broken by the test'); }));
+      await inState('error');
+      await page.locator('.fault .message').filter({ hasText: /^The engine stopped: .*broken by the test/ }).waitFor();
+      await page.getByRole('button', { name: 'Start it again' }).click();
+      await inState('paused');
+      await study.ready();
+      assert.ok((await study.done())[0] >= 2);
+      await study.finish();
+    },
+  ],
+  [
+    'more_runs_than_a_page_can_hold_are_left_to_the_command_line',
+    async (open) => {
+      const { page } = await open(linkTo({ grid: { 'geese.children': Array.from({ length: 50 }, (_, index) => index + 2) }, seeds: { first: 1, count: 10_000 } }));
+      await page.locator('.studies-large').filter({ hasText: /^500,000 runs are more than a page can hold\. The command line makes them:/ }).waitFor();
+      assert.ok(await page.locator('#studies-run').isDisabled());
+      await page.locator('[id="study-seeds.count"]').fill('1');
+      await page.locator('[id="study-seeds.count"]').press('Tab');
+      await page.waitForFunction(() => document.querySelector('#studies-done')?.textContent === '0 of 50 runs');
+    },
+  ],
+  [
     'leaving_the_tab_pauses_and_stop_gives_the_processor_back',
     async (open) => {
       const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 6000 } }));

@@ -3,7 +3,7 @@ import { studiesText as text } from '../ui/strings.studies.en.js';
 /**
  * @typedef {{ type: 'study', module: WebAssembly.Module, spec: string } | { type: 'run', run: number } | { type: 'pause' } | { type: 'resume' }} ToWorker
  *
- * @typedef {{ type: 'ready' } | { type: 'progress', run: number, tick: number, seconds: number }
+ * @typedef {{ type: 'ready' } | { type: 'alive' }
  *   | { type: 'done', run: number, line: string, seconds: number } | { type: 'error', message: string }} FromWorker
  *
  * @typedef {object} Hand a worker of the pool
@@ -15,7 +15,6 @@ import { studiesText as text } from '../ui/strings.studies.en.js';
  * @typedef {object} PoolEvents
  * @property {(run: number, line: string, seconds: number) => void} done
  * @property {(run: number, reason: string) => void} failed a run broke its worker too often
- * @property {(run: number, tick: number, seconds: number) => void} progress
  * @property {(message: string) => void} broken no worker can be started
  * @property {() => void} idle nothing is left to do
  */
@@ -116,8 +115,7 @@ export function createPool({ spawn, module, on }) {
         badStarts = 0;
         staff();
         break;
-      case 'progress':
-        on.progress(message.run, message.tick, message.seconds);
+      case 'alive':
         break;
       case 'done':
         hand.run = null;

@@ -31,11 +31,13 @@ const AS = 'own';
 export function createStudyRun({ desk, store, state, speed, spawn, module, say }) {
   /** @type {{ [K in keyof StudyRunEvents]: StudyRunEvents[K][] }} */
   const listeners = { plan: [], progress: [], report: [], moved: [] };
-  const pool = createPool({ spawn, module, on: { done, failed, progress, broken, idle } });
+  const pool = createPool({ spawn, module, on: { done, failed, broken, idle } });
   /** @type {Map<number, string>} lines of the results file */
   let lines = new Map();
   /** @type {Timed[]} */
   let timed = [];
+  /** @type {number[] | null} runs that have no row; null until they are counted again */
+  let remaining = null;
   let complete = '';
   let opened = 0; // rises with every study, so that late answers are not taken
   let stale = false; // whether rows came since the last report was asked for
@@ -59,7 +61,11 @@ export function createStudyRun({ desk, store, state, speed, spawn, module, say }
     done: () => Math.min(lines.size, run.plan?.runs ?? 0),
     /** Runs that stand or go on in workers. */
     underWay: () => pool.underWay(),
-    missing: () => (run.plan ? Array.from({ length: run.plan.runs }, (_, number) => number).filter((number) => !lines.has(number)) : []),
+    /** Runs that have no row, in order. */
+    missing() {
+      remaining ??= Array.from({ length: run.plan?.runs ?? 0 }, (_, number) => number).filter((number) => !lines.has(number));
+      return remaining;
+    },
     timeLeft: () => run.plan && timeLeft({ plan: run.plan, missing: run.missing(), timed, workers: run.workers }),
     slowest: () => run.plan && slowest(run.plan, timed),
 
@@ -83,9 +89,11 @@ export function createStudyRun({ desk, store, state, speed, spawn, module, say }
         pool.stop();
         timed = [];
         lines = new Map();
+        remaining = null;
         const kept = await store.load(key());
         if (mine !== opened) return;
         lines = kept;
+        remaining = null;
         state.to('paused');
         settle();
       }
@@ -132,6 +140,7 @@ export function createStudyRun({ desk, store, state, speed, spawn, module, say }
       const [mine, before] = [opened, lines];
       const under = key();
       lines = new Map();
+      remaining = null;
       timed = [];
       settle();
       await store.clear(under);
@@ -141,6 +150,7 @@ export function createStudyRun({ desk, store, state, speed, spawn, module, say }
         if (mine !== opened) return;
         run.stop();
         lines = new Map([...before, ...lines]);
+        remaining = null;
         settle();
         await report();
       };
@@ -153,13 +163,19 @@ export function createStudyRun({ desk, store, state, speed, spawn, module, say }
       return run.reported;
     },
 
-    /** Forgets what was asked for; for a desk that has ended. */
-    abandon() {
+    /** Takes the study off the screen; its rows stay kept. Also for a desk that has ended. */
+    close() {
       pool.stop();
       opened += 1;
       reporting = false;
+      lines = new Map();
+      remaining = null;
+      timed = [];
+      complete = '';
       run.plan = null;
       run.reported = null;
+      if (state.name !== 'error') state.to('paused');
+      tell('plan');
     },
   };
 
@@ -187,6 +203,7 @@ export function createStudyRun({ desk, store, state, speed, spawn, module, say }
   /** @param {number} number @param {string} line */
   function take(number, line) {
     lines.set(number, line);
+    remaining = null;
     void store.keep(key(), number, line);
     stale = true;
     later ??= setTimeout(() => void report(), REPORT_MS);
@@ -210,10 +227,6 @@ export function createStudyRun({ desk, store, state, speed, spawn, module, say }
     say(text.said.failed(number, reason), 'problem');
     take(number, line);
     if (run.missing().length === 0) idle();
-  }
-
-  function progress() {
-    tell('progress');
   }
 
   /** @param {string} message */

@@ -13,6 +13,7 @@ import { readStudyLink, writeStudyLink, LIST } from './link.js';
 /** @import { Parameter } from '../types.js' */
 
 const TYPING_MS = 200;
+const MOST_RUNS = 100_000; // more than a page can hold at once
 
 /** @typedef {{ name: string, outline: Outline }} Listed a study file with what it says */
 
@@ -51,6 +52,8 @@ export function createStudySession({ desk, run, address, files, version, schema,
     outline: null,
     /** @type {Size} */
     size: 'glance',
+    /** Whether this size has more runs than a page can hold. */
+    tooMany: false,
 
     /** @param {() => void} listener */
     on: (listener) => void listeners.push(listener),
@@ -161,6 +164,7 @@ export function createStudySession({ desk, run, address, files, version, schema,
     const { outline, fault } = await desk.request('check', { spec });
     if (mine !== checking || session.list) return;
     session.fault = fault ?? null;
+    if (!outline && valid === '') run.close(); // what was open before is another study
     if (outline) {
       session.outline = outline;
       valid = spec;
@@ -172,6 +176,11 @@ export function createStudySession({ desk, run, address, files, version, schema,
   }
 
   async function take() {
+    session.tooMany = (session.outline?.sizes.find(({ size }) => size === session.size)?.runs ?? 0) > MOST_RUNS;
+    if (session.tooMany) {
+      run.close();
+      return;
+    }
     try {
       await run.open(valid, session.size);
     } catch (error) {

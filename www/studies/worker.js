@@ -72,7 +72,7 @@ function work() {
       port.postMessage({ type: 'done', run, line, seconds });
     } else if (start - told > TELL_MS) {
       told = start;
-      port.postMessage({ type: 'progress', run, tick: job.tick(), seconds: current.seconds });
+      port.postMessage({ type: 'alive' });
     }
     next();
   } catch (error) {

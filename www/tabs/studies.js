@@ -136,8 +136,8 @@ export function createStudies({ element, address, built, live }) {
   /** The desk failed: its worker is ended; a new one reads the same text. @param {string} message */
   function broke(message) {
     const ready = session;
-    run.abandon();
     state.to('error', message);
+    run.close();
     const again = async () => {
       state.to('loading');
       desk.start();

@@ -41,7 +41,6 @@ export const studiesText = {
     time: (/** @type {Range} */ range) => between(range),
     noTime: 'How long a study takes is told as soon as a few runs were made on this computer: a glance is enough.',
     hasTime: (/** @type {number} */ workers) => `Times are for ${plural(workers, 'worker')}, from the runs made on this computer so far.`,
-    paper: 'has values of the paper',
   },
 
   pane: { results: 'Results', form: 'Study', text: 'Study as text', bar: 'Runs' },
@@ -148,6 +147,7 @@ export const studiesText = {
     verdicts: (/** @type {[string, number][]} */ counts) => `The paper’s values: ${counts.map(([verdict, count]) => `${count} ${verdict}`).join(', ')}.`,
     large: (/** @type {number} */ runs, /** @type {Range | null} */ range) =>
       `This size is too large for a page: ${plural(runs, 'run')} of full length${range ? `, about ${between(range)} here` : ''}. It can be made here, a part at a time, for as long as the page is open. The command line makes it faster, and can be left alone:`,
+    tooMany: (/** @type {number} */ runs) => `${plural(runs, 'run')} are more than a page can hold. The command line makes them:`,
     saveFirst: 'Save the study as a file first; the command reads it from the folder studies.',
     copy: 'Copy the command',
     copied: 'The command is on the clipboard.',

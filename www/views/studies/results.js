@@ -132,11 +132,11 @@ export function createStudyResults({ pane, run, session, state, speed, committed
   function showLarge() {
     const outline = session.outline?.sizes.find(({ size }) => size === session.size);
     const range = outline ? speed.estimate(outline.robot_steps, run.workers) : null;
-    const isLarge = outline !== undefined && (range ? range[1] > LARGE_SECONDS : outline.robot_steps > LARGE_STEPS);
+    const isLarge = outline !== undefined && (session.tooMany || (range ? range[1] > LARGE_SECONDS : outline.robot_steps > LARGE_STEPS));
     large.hidden = !isLarge || state.name === 'finished';
     if (!outline || !isLarge) return;
     const name = session.outline?.name ?? '';
-    write(largeWhy, text.results.large(outline.runs, range));
+    write(largeWhy, session.tooMany ? text.results.tooMany(outline.runs) : text.results.large(outline.runs, range));
     write(command, `cargo run --release -- study studies/${name}.json${session.size === 'paper' ? '' : ` --size ${session.size}`} --out ${name}.csv`);
     saveFirst.hidden = session.pristine();
   }

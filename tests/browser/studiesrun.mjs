@@ -177,6 +177,33 @@ export const cases = [
     },
   ],
   [
+    'rows_that_cannot_be_read_are_told_and_can_be_cleared',
+    async (open) => {
+      const study = await openStudy(open, linkTo());
+      await study.finish();
+      await study.page.evaluate(
+        () =>
+          new Promise((resolve, reject) => {
+            const request = indexedDB.open('swarm-playground.studies', 1);
+            request.onsuccess = () => {
+              const rows = request.result.transaction('rows', 'readwrite').objectStore('rows');
+              rows.getAll().onsuccess = (event) => {
+                const [first] = /** @type {IDBRequest} */ (event.target).result;
+                rows.put({ ...first, line: '0,cut sho\n' }).onsuccess = resolve;
+              };
+              rows.transaction.onerror = reject;
+            };
+          }),
+      );
+      await study.page.reload();
+      await study.notice(/^The rows kept here could not be read: line 2, column 1: expected \d+ fields, found 2\.$/);
+      await study.page.locator('.notice').getByRole('button', { name: 'Clear results' }).click();
+      await study.notice(/^10 rows cleared\.$/);
+      await study.finish();
+      assert.deepEqual(study.problems, []);
+    },
+  ],
+  [
     'results_are_cleared_and_brought_back',
     async (open) => {
       const study = await openStudy(open, linkTo(), { acceptDownloads: true });
@@ -206,6 +233,9 @@ export const cases = [
       await page.locator('#studies-run').click();
       await page.waitForFunction(() => document.body.dataset.state === 'finished');
       await page.locator('.studies-extent').filter({ hasText: '5 of 5 seeds' }).waitFor();
+      await page.locator('[id="study-seeds.count"]').fill('6');
+      await page.locator('[id="study-seeds.count"]').press('Tab');
+      await page.waitForFunction(() => document.querySelector('#studies-done')?.textContent === '10 of 12 runs');
       assert.equal(await page.locator('.notice p').filter({ hasText: 'keeps nothing' }).count(), 1, 'it is said once');
     },
   ],

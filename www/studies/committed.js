@@ -31,6 +31,7 @@ export function createCommitted(desk) {
       if (!found) throw new Error(name);
       const reading = known.get(name) ?? read(found);
       known.set(name, reading);
+      reading.catch(() => known.delete(name)); // a later visit tries again
       return reading;
     },
   };

@@ -7,7 +7,7 @@ const ROWS = 'rows';
 export const keyOf = (version, hash) => `${version}/${hash}`;
 
 /**
- * Rows of results, kept by the browser as they come. Without storage everything works, and nothing is kept.
+ * Rows of results, kept by the browser as they come; in memory where it keeps nothing, so that everything works.
  *
  * @param {(full: boolean) => void} tell called once when nothing can be kept, because there is no storage or it is full
  */
@@ -15,6 +15,8 @@ export function createStore(tell) {
   /** @type {Promise<IDBDatabase | null> | null} */
   let opening = null;
   let told = false;
+  /** @type {Map<string, Map<number, string>>} lines that could not be kept, by study */
+  const memory = new Map();
 
   /** @param {unknown} [error] */
   function lost(error) {
@@ -75,20 +77,27 @@ export function createStore(tell) {
     /** The lines that are kept, by run. @param {string} study @returns {Promise<Map<number, string>>} */
     async load(study) {
       const rows = /** @type {Kept[] | null} */ (await within('readonly', (store) => store.getAll(all(study))));
-      return new Map((rows ?? []).map(({ run, line }) => [run, line]));
+      return new Map([...(memory.get(study) ?? []), ...(rows ?? []).map(({ run, line }) => /** @type {[number, string]} */ ([run, line]))]);
     },
 
     /** @param {string} study @param {number} run @param {string} line */
-    keep: (study, run, line) => within('readwrite', (store) => store.put({ study, run, line })),
+    async keep(study, run, line) {
+      if ((await within('readwrite', (store) => store.put({ study, run, line }))) !== null) return;
+      const lines = memory.get(study) ?? new Map();
+      memory.set(study, lines.set(run, line));
+    },
 
     /** @param {string} study */
-    clear: (study) => within('readwrite', (store) => store.delete(all(study))),
+    async clear(study) {
+      memory.delete(study);
+      await within('readwrite', (store) => store.delete(all(study)));
+    },
 
     /** How many rows are kept, by study. @returns {Promise<Map<string, number>>} */
     async counts() {
       const keys = await within('readonly', (store) => store.getAllKeys());
       /** @type {Map<string, number>} */
-      const counts = new Map();
+      const counts = new Map([...memory].map(([study, lines]) => [study, lines.size]));
       for (const key of keys ?? []) {
         const [study] = /** @type {[string, number]} */ (key);
         counts.set(study, (counts.get(study) ?? 0) + 1);

@@ -88,7 +88,7 @@ export function createStudies({ element, address, built, live }) {
     createStudyText({ pane: frame.words, session: ready, original, unfold: frame.unfold });
     createStudyBar({ pane: frame.bar, run, session: ready, state, speed, cores });
     createStudyFoot({ pane: frame.foot, run, session: ready, shown: results.shown, say: notices.say });
-    Object.assign(actions, { toggle: () => !ready.list && run.toggle(), clear: notices.clear });
+    Object.assign(actions, { toggle: () => !ready.list && run.toggle() });
     built();
 
     let listed = false;

@@ -49,8 +49,10 @@ export function createCells({ session, presets, change, rename }) {
       const says = textField(value, (typed) => change([...path, label], typed));
       says.id = idOf([...path, label]);
       says.setAttribute('aria-label', text.form.labelValue(label));
-      return h('div', { class: 'row label-row', 'data-path': pathName([...path, label]) }, key, says, button(text.form.remove(label), () => change([...path, label], undefined), { glyph: '×', class: 'quiet remove' }), h('p', { class: 'field-error' }));
+      const remove = button(text.form.remove(label), () => change([...path, label], undefined), { glyph: '×', class: 'quiet remove' });
+      return h('div', { class: 'row label-row', 'data-path': pathName([...path, label]) }, key, says, remove, h('p', { class: 'field-error' }));
     });
-    return h('div', { class: 'settings', role: 'group', 'aria-label': text.form.labels }, h('p', { class: 'settings-legend' }, text.form.labels), ...rows, button(text.form.add, () => change([...path, text.form.newLabel], text.form.newLabel)));
+    const add = button(text.form.add, () => change([...path, text.form.newLabel], text.form.newLabel));
+    return h('div', { class: 'settings', role: 'group', 'aria-label': text.form.labels }, h('p', { class: 'settings-legend' }, text.form.labels), ...rows, add);
   }
 }

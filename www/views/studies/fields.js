@@ -100,8 +100,13 @@ export function valuesField({ path, parameter, values, change, aside }) {
     );
   }
   if (parameter.type === 'text') {
-    const fields = list.map((value, index) => labelled([...path, index], text.form.value(parameter.label, index + 1), textField(value, (typed) => change([...path, index], typed), { long: true })));
-    return h('div', { 'data-path': pathName(path) }, aside, ...fields, button(text.form.addValue, () => change([...path, list.length], String(parameter.default))));
+    const fields = list.map((value, index) => {
+      const [label, inside] = [text.form.value(parameter.label, index + 1), [...path, index]];
+      const remove = button(text.form.remove(label), () => change(inside, undefined), { glyph: '×', class: 'quiet remove' });
+      return labelled(inside, label, textField(value, (typed) => change(inside, typed), { long: true }), list.length > 1 ? remove : null);
+    });
+    const head = h('div', { class: 'control-head' }, h('p', {}, parameter.label), aside);
+    return h('div', { 'data-path': pathName(path) }, head, ...fields, h('p', { class: 'field-error' }), button(text.form.addValue, () => change([...path, list.length], String(parameter.default))));
   }
   const typed = textField(list.join(', '), (words) => change(path, words.split(',').filter((word) => word.trim() !== '').map(read)), { numeric: true });
   return labelled(path, text.form.values(parameter.label), typed, aside);

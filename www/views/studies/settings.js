@@ -13,7 +13,7 @@ import { idOf, labelled, parameterField, textField, valuesField } from './fields
  *   change: (path: Path, value: any) => void }} what `prefix` is that of keys which the fields leave out
  */
 export function createSettings({ path, values = {}, schema, legend, grid = false, prefix = '', change }) {
-  const parameters = schema.filter(({ type }) => type !== 'seed');
+  const parameters = schema.filter(({ key, type }) => type !== 'seed' && key.startsWith(prefix));
   const fieldOf = (/** @type {Parameter} */ { key }) => key.slice(prefix.length);
   const entries = Object.entries(values !== null && typeof values === 'object' ? values : {});
   const rows = entries.map(([field, value]) => {

@@ -12,7 +12,8 @@ import { placeOf } from '../../studies/draft.js';
  *   the text of the study file that this one began as
  */
 export function createStudyText({ pane, session, original, unfold }) {
-  const area = h('textarea', { id: 'studies-json', wrap: 'off', spellcheck: 'false', autocapitalize: 'off', autocomplete: 'off', 'aria-describedby': 'studies-fault' });
+  const plain = { wrap: 'off', spellcheck: 'false', autocapitalize: 'off', autocomplete: 'off' };
+  const area = h('textarea', { id: 'studies-json', ...plain, 'aria-describedby': 'studies-fault' });
   const fault = h('p', { class: 'field-error', id: 'studies-fault', role: 'alert' });
   const place = button(text.fault.show, show);
   const back = button(text.text.original, () => session.edit(original() ?? session.text));
@@ -21,8 +22,12 @@ export function createStudyText({ pane, session, original, unfold }) {
     h('label', { for: area.id, class: 'secondary' }, text.text.label),
     area,
     fault,
-    h('div', { class: 'row' }, place, button(text.text.save, () => save(`${session.draft?.study ?? 'study'}.json`, new Blob([session.text], { type: 'application/json' })), { title: text.text.saveLong }), back),
+    h('div', { class: 'row' }, place, button(text.text.save, keep, { title: text.text.saveLong }), back),
   );
+
+  function keep() {
+    save(`${session.draft?.study ?? 'study'}.json`, new Blob([session.text], { type: 'application/json' }));
+  }
 
   /** Selects the field that the fault names. */
   function show() {

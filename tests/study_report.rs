@@ -94,10 +94,10 @@ fn long_words_stay_within_the_figure() {
     fields.retain(|name, _| !["tests", "paper"].contains(&name.as_str()));
     study["figure"] = json!({"kind": "box", "metric": "share"});
     let drawn = figure(&results(&study, 8)).expect("there are values");
-    assert!(drawn.contains(&format!(">{}\u{2026}</text>", "t".repeat(76))), "the title is cut");
+    assert!(drawn.contains(&format!(">{}\u{2026}</text>", "t".repeat(62))), "the title is cut");
     assert!(drawn.contains(&format!("<title>{}</title>", "t".repeat(200))), "and whole in the file");
     let longest = drawn.split("<text").map(|text| text.matches(['a', 'b']).count()).max();
-    assert!(drawn.contains("aaaa") && longest < Some(90), "names are broken: {longest:?}");
+    assert!(drawn.contains("aaaa") && longest < Some(60), "names are broken: {longest:?}");
 }
 
 #[test]

@@ -25,12 +25,6 @@ impl Job {
         }
     }
 
-    /// Steps made so far.
-    #[must_use]
-    pub fn tick(&self) -> u32 {
-        self.state.as_ref().map_or(0, |world| world.tick())
-    }
-
     /// The row of the run as it stands; what results keep once [`Job::advance`] has said that it is over.
     #[must_use]
     pub fn row(&self) -> Row {

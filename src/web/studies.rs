@@ -159,12 +159,6 @@ impl Job {
         self.job.advance(steps)
     }
 
-    /// Steps made so far.
-    #[must_use]
-    pub fn tick(&self) -> u32 {
-        self.job.tick()
-    }
-
     /// The run's line of the results file, once it is over.
     #[must_use]
     pub fn line(&self) -> String {

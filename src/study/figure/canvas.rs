@@ -32,7 +32,7 @@ pub struct Canvas {
 impl Canvas {
     /// A sheet with a title above and a line of small print below.
     pub fn new(title: &str, foot: &str) -> Self {
-        const MOST: usize = 76;
+        const MOST: usize = 62;
         let mut canvas = Self { body: String::new(), title: title.to_owned() };
         // The whole title stays in the file, as its name.
         let fits = title.chars().count() <= MOST;
@@ -57,11 +57,13 @@ impl Canvas {
     /// A text centred below a place, broken into lines of at most so many pixels; returns how many lines.
     pub fn wrapped(&mut self, [x, y]: [f64; 2], width: f64, text: &str) -> usize {
         const MOST_LINES: usize = 4;
-        // A word that would reach far into the next place is broken anywhere.
-        let longest = ((width * 1.5 / LETTER) as usize).max(1);
+        // A word that would reach far into the next place is broken anywhere; fonts may be wider than `LETTER` says.
+        let fits = ((width * 0.85 / LETTER) as usize).max(1);
         let words = text.split(' ').flat_map(|word| {
             let letters: Vec<char> = word.chars().collect();
-            letters.chunks(longest).map(|part| part.iter().collect::<String>()).collect::<Vec<_>>()
+            let is_long = letters.len() as f64 * LETTER > width * 1.5;
+            let part = if is_long { fits } else { letters.len().max(1) };
+            letters.chunks(part).map(|part| part.iter().collect::<String>()).collect::<Vec<_>>()
         });
         let mut lines: Vec<String> = Vec::new();
         for word in words {

@@ -22,7 +22,7 @@ export const cases = [
       assert.deepEqual(await agents.locator('.study-sizes li').allTextContents(), ['Glance, agents10 runs', 'Class, agents20 runs', 'Paper, agents160 runs']);
       await agents.getByRole('link', { name: 'Glance' }).click();
       await study.ready();
-      assert.match(await study.hash(), /^#\/studies\/agents\?v=\d+\.\d+\.\d+&size=glance$/);
+      await study.until(() => /^#\/studies\/agents\?v=\d+\.\d+\.\d+&size=glance$/.test(location.hash));
       await study.finish();
       await page.getByRole('link', { name: 'All studies' }).click();
       const glance = agents.locator('.study-sizes li').first();

@@ -50,6 +50,8 @@ pub enum Purpose {
     Terrain = 6,
     /// The second start of a world, in which fixed programs are tested.
     Settlement = 7,
+    /// What an agent's state machine does with a probability.
+    Luck = 16,
 }
 
 /// The stream of one purpose, and of one agent where agents draw (`index` 0 otherwise).

@@ -342,14 +342,21 @@ impl<'a> Actor<'a> {
     }
 }
 
+impl Actor<'_> {
+    /// Runs a leaf, of a tree or of a machine.
+    pub fn act(&mut self, leaf: Leaf) -> Status {
+        let success = self.run(leaf) != leaf.negated;
+        if success && leaf.name.is_action() {
+            self.body.last_action = Some(leaf);
+        }
+        Status::completed(success)
+    }
+}
+
 impl Host<Leaf> for Actor<'_> {
     const PLAIN: bool = true;
 
     fn tick(&mut self, _node: NodeId, leaf: &Leaf, _ports: &mut Ports) -> Status {
-        let success = self.run(*leaf) != leaf.negated;
-        if success && leaf.name.is_action() {
-            self.body.last_action = Some(*leaf);
-        }
-        Status::completed(success)
+        self.act(*leaf)
     }
 }

@@ -1,5 +1,6 @@
 //! The act phase: parents from the pool, children by crossover and mutation, the most diverse child.
 
+use super::brood::Brood;
 use super::mind::{Entry, Mind};
 use super::params::{CrossoverMode, GenomeSelection, MutationMode, Params, ParentSelection};
 use super::program::{Compiler, Survey};
@@ -29,9 +30,10 @@ pub struct Breeder {
     parents: Vec<u32>,
     children: [Genome; 2],
     best: Genome,
+    brood: Brood,
 }
 
-/// The most diverse child of a brood.
+/// The child that was chosen.
 #[derive(Clone, Debug)]
 pub struct Best<'a> {
     /// Its genome, mapped.
@@ -53,6 +55,7 @@ impl Breeder {
             parents: Vec::new(),
             children: [Genome::default(), Genome::default()],
             best: Genome::default(),
+            brood: Brood::default(),
         }
     }
 
@@ -72,7 +75,9 @@ impl Breeder {
     }
 
     /// Breeds from the pool and the agent's own genome; returns the most diverse of elite and children, the first of
-    /// equal ones, or `None` when there is no elite and every child maps to nothing.
+    /// equal ones, or `None` when there is no elite and every child maps to nothing. With tournament selection it returns
+    /// the winner of a tournament by fitness: a child has not run yet, so it is given the mean of its parents' (our choice:
+    /// anything less would let no child win, anything more no elite).
     ///
     /// - `own`: the agent's mind; it stands last in the pool.
     /// - `stored`: the agent's storage, to which the pool's [`Source::Stored`] points.
@@ -94,7 +99,7 @@ impl Breeder {
             let diversity = survey.map(|survey| self.compiler.diversity(survey.names));
             return diversity.map(|diversity| Best { genome: &self.best, diversity });
         }
-        let Self { compiler, mutation, pool, fitness, sorted, parents, children, best } = self;
+        let Self { compiler, mutation, pool, fitness, sorted, parents, children, best, brood } = self;
         let genome_of = |index: u32| match pool.get(index as usize) {
             Some(&Source::Stored(at)) => &stored[at as usize].genome,
             Some(&Source::Met(agent)) => &minds[agent as usize].genome,
@@ -114,10 +119,14 @@ impl Breeder {
 
         // The elite is kept by fitness and stands before the children, so it wins where they are no more diverse.
         let mut found: Option<f64> = None;
+        let by_fitness = params.genome_selection == GenomeSelection::Tournament;
+        brood.clear();
         fittest(fitness, params.elite_size as usize, sorted, parents);
         for &elite in parents.iter() {
             let diversity = diversity_of(elite);
-            if found.is_none_or(|best| diversity > best) {
+            if by_fitness {
+                brood.add(genome_of(elite), diversity, fitness[elite as usize]);
+            } else if found.is_none_or(|best| diversity > best) {
                 found = Some(diversity);
                 best.clone_from(genome_of(elite));
             }
@@ -129,6 +138,7 @@ impl Breeder {
         let is_decided = |found: Option<f64>| match params.genome_selection {
             GenomeSelection::Diversity => found.is_some_and(|best| best >= greatest),
             GenomeSelection::Random | GenomeSelection::Fresh => found.is_some(),
+            GenomeSelection::Tournament => false,
         };
         let mut bred = 0;
         while bred < params.children && !is_decided(found) {
@@ -139,6 +149,7 @@ impl Breeder {
                 ParentSelection::Tournament => tournament_pair(rng, fitness, params.tournament_size),
             };
             let [a, b] = pair.map(genome_of);
+            let inherited = pair.iter().map(|&parent| fitness[parent as usize]).sum::<f64>() / 2.0;
             let [first, second] = &mut *children;
             if rng.random_bool(params.crossover_probability) {
                 let crossover = match params.crossover_mode {
@@ -154,7 +165,9 @@ impl Breeder {
                 bred += 1;
                 let Some(survey) = compiler.survey(child, Some(mutation.begin(rng))) else { continue };
                 let diversity = compiler.diversity(survey.names);
-                if found.is_none_or(|best| diversity > best) {
+                if by_fitness {
+                    brood.add(child, diversity, inherited);
+                } else if found.is_none_or(|best| diversity > best) {
                     found = Some(diversity);
                     std::mem::swap(best, child);
                 }
@@ -162,6 +175,9 @@ impl Breeder {
                     break;
                 }
             }
+        }
+        if by_fitness {
+            found = brood.winner(rng, params.tournament_size, best);
         }
         found.map(|diversity| Best { genome: best, diversity })
     }

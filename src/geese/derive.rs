@@ -1,8 +1,11 @@
-//! A derivation step by step: which codon chose what, and which node of the tree came of it.
+//! A derivation step by step: which codon chose what, and which node of the tree, or rule of the machine, came of it.
 
+use super::controller::Controller;
 use super::inspect::{ShownNode, shown_nodes};
 use super::language::Token;
-use super::program::{Compiler, needs_root, placeholder, program_text};
+use super::program::{Compiler, Sentences, needs_root};
+use super::rules;
+use super::showmachine::ShownMachine;
 use crate::evolution::{AlternativeId, Derivation, Genome, Invalid, Mapper, RuleId, TerminalId};
 use serde::Serialize;
 
@@ -16,7 +19,10 @@ pub struct Derived {
     phenotype: Option<String>,
     diversity: Option<f64>,
     steps: Vec<DerivedStep>,
+    /// Of a tree.
     nodes: Option<Vec<ShownNode>>,
+    /// Of a machine.
+    machine: Option<ShownMachine>,
 }
 
 /// One expanded non-terminal.
@@ -29,7 +35,7 @@ pub struct DerivedStep {
     choice: usize,
     text: String,
     depth: u32,
-    /// The innermost node that the step's text belongs to; `None` when the genome is invalid.
+    /// The innermost node, or the rule, that the step's text belongs to; `None` when the genome is invalid.
     node: Option<u32>,
 }
 
@@ -38,11 +44,10 @@ impl Derived {
     #[must_use]
     pub fn of(compiler: &mut Compiler, codons: &[u16]) -> Self {
         let grammar = compiler.grammar().clone();
-        let tokens = compiler.tokens_of_terminals().to_vec();
         let limits = compiler.limits();
-        let mut steps = Steps { tokens: &tokens, taken: Vec::new(), emitted: Vec::new() };
+        let mut steps = Steps { taken: Vec::new(), emitted: Vec::new() };
         let mapped = Mapper::new(&grammar).map(codons, limits, &mut steps);
-        let nodes_of_tokens = mapped.is_ok().then(|| nodes_of_tokens(&steps.emitted));
+        let nodes = mapped.is_ok().then(|| nodes_of_terminals(compiler.sentences(), &steps.emitted));
         let depth = steps.taken.iter().map(|step| step.depth + 1).max().unwrap_or(1);
         let shown = steps.taken.iter().enumerate().map(|(index, step)| {
             let alternatives: Vec<AlternativeId> = grammar.alternatives(step.rule).collect();
@@ -54,13 +59,13 @@ impl Derived {
                 choice: alternatives.iter().position(|&id| id == step.alternative).unwrap_or(0),
                 text: grammar.alternative_text(step.alternative),
                 depth: step.depth,
-                node: nodes_of_tokens.as_ref().and_then(|nodes| nodes.get(step.emitted).copied()),
+                node: nodes.as_ref().and_then(|nodes| nodes.get(step.emitted).copied().flatten()),
             }
         });
         let steps: Vec<DerivedStep> = shown.collect();
-        let mut tree = placeholder();
+        let mut controller = Controller::default();
         let mut genome = Genome { codons: codons.to_vec(), used: 0 };
-        let survey = compiler.survey(&mut genome, None).filter(|_| compiler.compile(codons, &mut tree).is_ok());
+        let survey = compiler.survey(&mut genome, None).filter(|_| compiler.compile(codons, &mut controller).is_ok());
         Self {
             valid: survey.is_some(),
             reason: mapped.err().map(|reason| match reason {
@@ -69,10 +74,14 @@ impl Derived {
             }),
             used: steps.len(),
             depth,
-            phenotype: survey.map(|_| program_text(&tree)),
+            phenotype: survey.map(|_| controller.text()),
             diversity: survey.map(|survey| compiler.diversity(survey.names)),
             steps,
-            nodes: survey.map(|_| shown_nodes(&tree)),
+            nodes: survey.and_then(|_| controller.tree().map(shown_nodes)),
+            machine: match &controller {
+                Controller::Machine(machine) => survey.map(|_| ShownMachine::of(machine)),
+                Controller::Tree(_) => None,
+            },
         }
     }
 }
@@ -82,17 +91,16 @@ struct Taken {
     alternative: AlternativeId,
     value: u16,
     depth: u32,
-    /// Tokens emitted before the step.
+    /// Terminals emitted before the step.
     emitted: usize,
 }
 
-struct Steps<'a> {
-    tokens: &'a [Vec<Token>],
+struct Steps {
     taken: Vec<Taken>,
-    emitted: Vec<Token>,
+    emitted: Vec<TerminalId>,
 }
 
-impl Derivation for Steps<'_> {
+impl Derivation for Steps {
     const TERMINALS: bool = true;
 
     fn expand(&mut self, rule: RuleId, alternative: AlternativeId, value: u16, depth: u32) {
@@ -100,8 +108,33 @@ impl Derivation for Steps<'_> {
     }
 
     fn terminal(&mut self, terminal: TerminalId) {
-        self.emitted.extend_from_slice(&self.tokens[usize::from(terminal.0)]);
+        self.emitted.push(terminal);
     }
+}
+
+/// For each terminal the node, or the rule, that what it begins with belongs to; `None` where only blanks follow.
+fn nodes_of_terminals(sentences: &Sentences, terminals: &[TerminalId]) -> Vec<Option<u32>> {
+    let (counts, nodes) = match sentences {
+        Sentences::Trees(language, _) => {
+            let of = |terminal: &TerminalId| &language.tokens[usize::from(terminal.0)];
+            let tokens: Vec<Token> = terminals.iter().flat_map(of).copied().collect();
+            (terminals.iter().map(|terminal| of(terminal).len()).collect::<Vec<_>>(), nodes_of_tokens(&tokens))
+        }
+        Sentences::Machines(rules) => {
+            let of = |terminal: &TerminalId| &rules.tokens[usize::from(terminal.0)];
+            let begins = |token: &rules::Token| u32::from(*token == rules::Token::Open(rules::Section::From));
+            let tokens = terminals.iter().flat_map(of).scan(0, |rules, token| {
+                *rules += begins(token);
+                Some(*rules - 1)
+            });
+            (terminals.iter().map(|terminal| of(terminal).len()).collect::<Vec<_>>(), tokens.collect())
+        }
+    };
+    let before = counts.iter().scan(0, |sum, count| {
+        *sum += count;
+        Some(*sum - count)
+    });
+    before.map(|before| nodes.get(before).copied()).collect()
 }
 
 /// For each token the node it belongs to, numbered in preorder as the builder numbers them.

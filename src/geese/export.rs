@@ -1,22 +1,39 @@
-//! An agent's program as a document of BehaviorTree.CPP, format 4.
+//! An agent's program as a document: a tree as one of BehaviorTree.CPP, format 4, a state machine as a grammar of one
+//! sentence.
 //!
 //! The text is written directly: the page's first load has no room for the general writer ([`crate::bt::xml`]), whose
 //! canonical form this is.
 
+use super::controller::Controller;
 use super::inspect::Query;
 use super::leaf::{Leaf, Name, Object, Tag, Takes};
+use super::machine::Machine;
 use super::world::World;
 use crate::bt::{Kind, NodeId, Tree};
 
-/// The program that an agent ran in the last step, as [`write_xml`] writes it; `None` when there is no such agent.
+/// The program that an agent ran in the last step, as [`write_xml`] or [`write_rules`] writes it; `None` when there is no
+/// such agent.
 #[must_use]
 pub fn export_agent(world: &World, agent: u32) -> Option<String> {
     let state = world.state();
     let mind = state.minds.get(agent as usize)?;
-    Some(write_xml(&mind.ran(state.tick).tree, &format!("Agent_{agent}")))
+    Some(match &mind.ran(state.tick).controller {
+        Controller::Tree(planted) => write_xml(&planted.tree, &format!("Agent_{agent}")),
+        Controller::Machine(machine) => write_rules(machine),
+    })
 }
 
-/// The program that a query asks for, as [`write_xml`] writes it: the agent's, or the one of that id. `None` when there
+/// A machine as a grammar whose only sentence it is, a line for each rule: as the grammar of a scenario it gives every
+/// agent this machine.
+#[must_use]
+pub fn write_rules(machine: &Machine) -> String {
+    let names: Vec<String> = (1..=machine.rules.len()).map(|number| format!("<rule{number}>")).collect();
+    let rules = names.iter().zip(&machine.rules);
+    let rules: Vec<String> = rules.map(|(name, rule)| format!("{name} ::= {}\n", machine.rule_text(rule))).collect();
+    format!("<S> ::= {}\n{}", names.join(" "), rules.concat())
+}
+
+/// The program that a query asks for, as [`export_agent`] writes it: the agent's, or the one of that id. `None` when there
 /// is no such agent or nobody runs such a program.
 #[must_use]
 pub fn export_query(world: &World, query: &Query) -> Option<String> {

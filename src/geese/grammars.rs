@@ -41,8 +41,55 @@ const NOMINAL: &str = "\
 <o> ::= <s> | <d>
 ";
 
-/// The rules that a scenario's grammar stands for: those of the task for the words `ppa` and `nominal`, otherwise the
-/// text itself.
+/// State machines for GEESE. Its grammar is not public: these rules are our reading, with the shape of a rule set that
+/// the authors' grammar library ships unused (three states, seven tests and a comparison; the next state; a variable),
+/// and with the primitive behaviours and conditions of the trees in place of numbers. What is tested: hub, site (in the
+/// nest: boundary) and item sensed, item carried, site known, and two variables; `-` tests nothing.
+const MACHINE: &str = "\
+<S> ::= <rules>
+<rules> ::= <rule> | <rule> <rules> | <rule> <rule> <rules> | <rule> <rule> <rule> <rules>
+<rule> ::= From(<state> <state> <state>) If(<hub> <far> <item> <load> <known> <x> <y> equals <bool>)
+  Goto(<often>, <state>) Set(<variable>, <bool>, <seldom>)
+<state> ::= Explore | MoveTowards Sites | MoveTowards Hub | CompositeSingleCarry Food | CompositeDrop Food
+<hub> ::= not NeighbourObjects Hub | NeighbourObjects Hub | -
+<far> ::= not NeighbourObjects Sites | NeighbourObjects Sites | -
+<item> ::= not NeighbourObjects Food | NeighbourObjects Food | -
+<load> ::= not IsCarrying Food | IsCarrying Food | -
+<known> ::= not IsVisitedBefore Sites | IsVisitedBefore Sites | -
+<x> ::= not X | X | -
+<y> ::= not Y | Y | -
+<variable> ::= X | Y
+<bool> ::= true | false
+<often> ::= 0.1 | 0.2 | 0.5 | 0.7 | 1
+<seldom> ::= 0.001 | 0.005 | 0.01 | 0.025 | 0.05 | 0.075 | 0.1 | 1
+";
+
+/// A tree written by hand for both tasks: the baseline that evolution is measured against. Every genome gives it. It
+/// senses the source before it asks whether it knows it, so that it learns of it on the way.
+const HAND_TREE: &str = "\
+<S> ::= Sel[<bring> <take> <go> Explore]
+<bring> ::= Seq[IsCarrying Food Sel[<drop> MoveTowards Sink]]
+<drop> ::= Seq[NeighbourObjects Sink CompositeDrop Food]
+<take> ::= Seq[NeighbourObjects Food CompositeSingleCarry Food]
+<go> ::= Seq[not NeighbourObjects Source IsVisitedBefore Source MoveTowards Source]
+";
+
+/// The same as a state machine.
+const HAND_MACHINE: &str = "\
+<S> ::= <drop> <bring> <take> <go> <search>
+<drop> ::= From(MoveTowards Sink CompositeSingleCarry Food) If(IsCarrying Food NeighbourObjects Sink equals true)
+  Goto(1, CompositeDrop Food)
+<bring> ::= From(CompositeSingleCarry Food) If(IsCarrying Food equals true) Goto(1, MoveTowards Sink)
+<take> ::= From(Explore MoveTowards Source CompositeDrop Food CompositeSingleCarry Food)
+  If(NeighbourObjects Food equals true) Goto(1, CompositeSingleCarry Food)
+<go> ::= From(Explore CompositeDrop Food CompositeSingleCarry Food)
+  If(not NeighbourObjects Source IsVisitedBefore Source equals true) Goto(1, MoveTowards Source)
+<search> ::= From(MoveTowards Source CompositeDrop Food CompositeSingleCarry Food)
+  If(not NeighbourObjects Source IsVisitedBefore Source equals false) Goto(1, Explore)
+";
+
+/// The rules that a scenario's grammar stands for: those of the task for the words `ppa`, `nominal`, `machine`,
+/// `hand-tree` and `hand-machine`, otherwise the text itself.
 ///
 /// The places and items are the task's own; the paper prints Food and Debris for both tasks, and no boundary (our
 /// choice).
@@ -51,6 +98,9 @@ pub fn grammar_text(grammar: &str, task: Task) -> Cow<'_, str> {
     let (rules, last) = match grammar.trim() {
         "ppa" => (PPA, "<successnode> ::= Post(DummyNode)\n"),
         "nominal" => (NOMINAL, ""),
+        "machine" => return bound(MACHINE, task),
+        "hand-tree" => return bound(HAND_TREE, task),
+        "hand-machine" => return bound(HAND_MACHINE, task),
         _ => return Cow::Borrowed(grammar),
     };
     let (places, item) = match task {
@@ -58,4 +108,17 @@ pub fn grammar_text(grammar: &str, task: Task) -> Cow<'_, str> {
         Task::Nest => ("Hub | Boundary", "Debris"),
     };
     Cow::Owned(format!("{rules}<s> ::= {places}\n<d> ::= {item}\n{last}"))
+}
+
+/// Puts the task's own words in the place of those for foraging, of Source and of Sink.
+fn bound(rules: &str, task: Task) -> Cow<'static, str> {
+    // The second line of an alternative is for readers of this file.
+    let rules = rules.replace("\n  ", " ");
+    Cow::Owned(match task {
+        Task::Forage => rules.replace("Source", "Sites").replace("Sink", "Hub"),
+        Task::Nest => {
+            let rules = rules.replace("Sites", "Boundary").replace("Food", "Debris");
+            rules.replace("Source", "Hub").replace("Sink", "Boundary")
+        }
+    })
 }

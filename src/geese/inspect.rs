@@ -1,9 +1,11 @@
 //! What the inspector shows: one agent, the agents of one program, or everyone.
 
+use super::controller::{Controller, Planted};
 use super::leaf::{Leaf, Name, Object, Tag};
+use super::machine::Machine;
 use super::mind::{Mind, Trace};
 use super::params::Params;
-use super::program::program_text;
+use super::showmachine::ShownMachine;
 use super::world::{State, World};
 use crate::bt::{Kind, Tree};
 use serde::Serialize;
@@ -16,7 +18,7 @@ pub struct Query {
     pub agent: Option<u32>,
     /// A program by its id, 16 hex digits; ignored when an agent is given.
     pub program: Option<String>,
-    /// A node of the shown tree: the agents that reached it in the last step are listed.
+    /// A node of the shown tree, or a rule of the machine: the agents that reached it in the last step are listed.
     pub node: Option<u32>,
 }
 
@@ -112,7 +114,9 @@ struct ShownTree {
     program: String,
     text: String,
     agents: Vec<u32>,
+    /// Of a tree; a machine has none.
     nodes: Vec<ShownNode>,
+    machine: Option<ShownMachine>,
 }
 
 /// A node as the page draws it.
@@ -205,8 +209,11 @@ impl Detail {
 }
 
 fn was_reached(state: &State, mind: &Mind, node: u32) -> bool {
-    let trace = mind.ran(state.tick).trace.get(node as usize);
-    state.tick > 0 && trace.is_some_and(|trace| trace.tick == state.tick)
+    let reached = match &mind.ran(state.tick).controller {
+        Controller::Tree(planted) => planted.trace.get(node as usize).map(|trace| trace.tick),
+        Controller::Machine(machine) => machine.fired.get(node as usize).copied(),
+    };
+    state.tick > 0 && reached == Some(state.tick)
 }
 
 /// The number of distinct programs and the largest groups, largest first; of equal ones the one whose first agent
@@ -221,7 +228,7 @@ fn groups(state: &State) -> (usize, Vec<(u64, Group)>) {
         let Some(largest) = largest else { break };
         let group = groups.swap_remove(largest);
         let (program, first) = group[0];
-        let text = program_text(&state.minds[first as usize].ran(state.tick).tree);
+        let text = state.minds[first as usize].ran(state.tick).controller.text();
         top.push((program, Group { id: hex(program), agents: group.len(), text, first }));
     }
     (count, top)
@@ -232,13 +239,29 @@ fn behaviours(state: &State, names: &[Name]) -> Vec<Behaviour> {
     for mind in &state.minds {
         let program = mind.ran(state.tick);
         let mut seen = [[false; 3]; Name::ALL.len()];
-        for (node, trace) in program.tree.nodes().iter().zip(&program.trace) {
-            let Kind::Leaf(leaf) = &node.kind else { continue };
-            let now = state.tick > 0 && trace.tick == state.tick;
-            let flags = &mut seen[leaf.name as usize];
+        let mut see = |name: Name, now: bool, success: bool| {
+            let flags = &mut seen[name as usize];
             flags[0] = true;
             flags[1] |= now;
-            flags[2] |= now && trace.status == crate::bt::Status::Success;
+            flags[2] |= now && success;
+        };
+        match &program.controller {
+            Controller::Tree(Planted { tree, trace, .. }) => {
+                for (node, trace) in tree.nodes().iter().zip(trace) {
+                    let Kind::Leaf(leaf) = &node.kind else { continue };
+                    let now = state.tick > 0 && trace.tick == state.tick;
+                    see(leaf.name, now, trace.status == crate::bt::Status::Success);
+                }
+            }
+            Controller::Machine(machine) => {
+                let now = state.tick > 0 && machine.tick == state.tick;
+                for (place, test) in machine.tests.iter().enumerate() {
+                    see(test.name, now, machine.holds >> place & 1 == 1);
+                }
+                for (leaf, place) in machine.states.iter().zip(0..) {
+                    see(leaf.name, now && machine.state == place, machine.succeeded);
+                }
+            }
         }
         for (count, flags) in counts.iter_mut().zip(seen) {
             for (count, flag) in count.iter_mut().zip(flags) {
@@ -296,7 +319,7 @@ fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
         genome: mind.genome.codons.clone(),
         used: mind.genome.used,
         program: hex(ran.id),
-        replaced_by: mind.was_replaced(state.tick).then(|| program_text(&mind.program.tree)),
+        replaced_by: mind.was_replaced(state.tick).then(|| mind.program.controller.text()),
     }
 }
 
@@ -314,9 +337,15 @@ fn counted(params: &Params) -> Vec<&'static str> {
 /// The tree of the agents `held`, with the trace of the agents `shown` (one of them, or all).
 fn shown_tree(state: &State, held: &[u32], shown: &[u32], with_status: bool) -> ShownTree {
     let program = state.minds[held[0] as usize].ran(state.tick);
-    let mut nodes = shown_nodes(&program.tree);
-    let traces: Vec<&[Trace]> =
-        shown.iter().map(|&id| state.minds[id as usize].ran(state.tick).trace.as_slice()).collect();
+    let mut nodes = program.controller.tree().map(shown_nodes).unwrap_or_default();
+    let (mut traces, mut machines): (Vec<&[Trace]>, Vec<&Machine>) = (Vec::new(), Vec::new());
+    for &id in shown {
+        match &state.minds[id as usize].ran(state.tick).controller {
+            Controller::Tree(planted) => traces.push(&planted.trace),
+            Controller::Machine(machine) => machines.push(machine),
+        }
+    }
+    let machine = machines.first().map(|machine| ShownMachine::running(machine, &machines, state.tick, RECENT));
     for (index, node) in nodes.iter_mut().enumerate() {
         let within = |steps: u32| {
             let reached = traces.iter().filter(|trace| trace[index].tick > 0 && trace[index].tick + steps > state.tick);
@@ -329,5 +358,5 @@ fn shown_tree(state: &State, held: &[u32], shown: &[u32], with_status: bool) -> 
             if trace.tick == state.tick { trace.status.name() } else { crate::bt::Status::Idle.name() }
         });
     }
-    ShownTree { program: hex(program.id), text: program_text(&program.tree), agents: held.to_vec(), nodes }
+    ShownTree { program: hex(program.id), text: program.controller.text(), agents: held.to_vec(), nodes, machine }
 }

@@ -77,11 +77,11 @@ impl Category {
     }
 }
 
-/// Why a grammar does not write trees, with the place of the fault.
+/// Why a grammar does not write trees, or machines, with the place of the fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LanguageError {
-    place: Place,
-    message: String,
+    pub(super) place: Place,
+    pub(super) message: String,
 }
 
 impl fmt::Display for LanguageError {
@@ -227,6 +227,11 @@ fn check(grammar: &Grammar, alternative: AlternativeId, categories: &[Category])
         None => Ok(()),
         Some(_) => checker.fault("a node"),
     }
+}
+
+/// Whether an argument is a place, not an item.
+pub(super) fn of_place(object: Object) -> bool {
+    Category::of_object(object) == Category::Place
 }
 
 /// The place of the last item, where a message about a missing end points.

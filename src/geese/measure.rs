@@ -1,5 +1,6 @@
 //! What a study measures of a swarm: counts and means over robots and programs, at one moment.
 
+use super::controller::Controller;
 use super::leaf::{Leaf, Name};
 use super::world::World;
 use crate::bt::{Kind, NodeId, Tree};
@@ -15,9 +16,9 @@ pub struct Measure {
     pub programs: u32,
     /// Programs replaced since the start, over robots and steps; 0 before the first step.
     pub swaps_per_agent_step: f64,
-    /// Action leaves, mean over the distinct programs.
+    /// Action leaves, or reachable states of a machine, mean over the distinct programs.
     pub actions: f64,
-    /// Shares of the distinct programs with one, two, three, and four or more action leaves.
+    /// Shares of the distinct programs with one, two, three, and four or more of them.
     pub by_actions: [f64; 4],
     /// Share of the robots whose program can never run an action.
     pub inert: f64,
@@ -38,15 +39,19 @@ impl Measure {
         let mean = |value: &dyn Fn(&super::mind::Mind) -> f64| state.minds.iter().map(value).sum::<f64>() / agents;
         let (mut programs, mut actions, mut by_actions, mut inert) = (0_u32, 0_u32, [0.0; 4], 0);
         for group in state.by_program().chunk_by(|a, b| a.0 == b.0) {
-            let tree = &state.minds[group[0].1 as usize].ran(state.tick).tree;
-            let here = action_count(tree);
+            let controller = &state.minds[group[0].1 as usize].ran(state.tick).controller;
+            // A machine does something in every step; it counts with the behaviours that it can come to.
+            let (here, idle) = match controller {
+                Controller::Tree(planted) => (action_count(&planted.tree), is_inert(&planted.tree)),
+                Controller::Machine(machine) => (machine.reachable(), false),
+            };
             programs += 1;
             actions += here;
             // A program without actions counts among none of the four.
             if let Some(place) = here.checked_sub(1) {
                 by_actions[place.min(3) as usize] += 1.0;
             }
-            inert += if is_inert(tree) { group.len() } else { 0 };
+            inert += if idle { group.len() } else { 0 };
         }
         let agent_steps = agents * f64::from(state.tick);
         let swaps: f64 = state.minds.iter().map(|mind| f64::from(mind.swaps)).sum();

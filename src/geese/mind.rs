@@ -1,9 +1,10 @@
 //! An agent's controller and all that evolution needs of it: genome, program, fitness and stored genomes.
 
+use super::controller::Controller;
 use super::leaf::{Leaf, Tag};
 use super::program::Compiler;
 use super::visited::Visited;
-use crate::bt::{Kind, Memory, NodeId, Recorder, Status, Tree};
+use crate::bt::{Kind, NodeId, Recorder, Status, Tree};
 use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
 use crate::random::Stream;
@@ -17,26 +18,20 @@ pub struct Trace {
     pub tick: u32,
 }
 
-/// A tree with its memory and the trace of its nodes.
-#[derive(Clone, Debug)]
+/// A controller with its name.
+#[derive(Clone, Debug, Default)]
 pub struct Program {
-    /// The tree.
-    pub tree: Tree<Leaf>,
-    /// What the tree remembers between ticks.
-    pub memory: Memory,
-    /// One trace for each node.
-    pub trace: Vec<Trace>,
-    /// Equal for equal trees.
+    /// The tree or the machine.
+    pub controller: Controller,
+    /// Equal for equal ones.
     pub id: u64,
 }
 
 impl Program {
-    /// Fits memory and trace to a tree that was just built.
+    /// Makes a controller that was just built ready for its first step.
     pub fn renew(&mut self) {
-        self.memory.fit(&self.tree);
-        self.trace.clear();
-        self.trace.resize(self.tree.nodes().len(), Trace::default());
-        self.id = super::program::program_id(&self.tree);
+        self.controller.renew();
+        self.id = self.controller.id();
     }
 }
 
@@ -67,6 +62,8 @@ pub struct Mind {
     pub storage: Storage,
     /// The agent's own stream for exchange and breeding.
     pub evolution: Stream,
+    /// The agent's own stream for what its machine does with a probability.
+    pub luck: Stream,
 }
 
 impl Mind {
@@ -77,7 +74,7 @@ impl Mind {
         self.since = tick;
         self.swaps += 1;
         std::mem::swap(&mut self.program, &mut self.replaced);
-        let valid = compiler.compile(&self.genome.codons, &mut self.program.tree);
+        let valid = compiler.compile(&self.genome.codons, &mut self.program.controller);
         debug_assert!(valid.is_ok(), "the survey found the genome valid");
         self.program.renew();
     }
@@ -110,6 +107,10 @@ impl Mind {
             entry.genome.feed(hash);
         }
         hash.stream(&self.evolution);
+        if let Controller::Machine(machine) = &self.program.controller {
+            machine.feed(hash);
+            hash.stream(&self.luck);
+        }
     }
 }
 

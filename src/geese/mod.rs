@@ -8,6 +8,8 @@
 
 mod body;
 mod breeding;
+mod brood;
+mod controller;
 mod derive;
 mod export;
 mod field;
@@ -17,24 +19,29 @@ mod grid;
 mod inspect;
 mod language;
 mod leaf;
+mod machine;
 mod measure;
 mod mind;
 mod near;
 mod params;
 mod population;
 mod program;
+mod rules;
 mod schema;
+mod showmachine;
 mod variety;
 mod visited;
 mod world;
 
+pub use controller::{Controller, Planted};
 pub use derive::{Derived, DerivedStep};
-pub use export::{export_agent, export_query, write_xml};
+pub use export::{export_agent, export_query, write_rules, write_xml};
 pub use frame::{Layout, fill_frame};
 pub use grammars::grammar_text;
 pub use inspect::{Detail, Query};
 pub use language::LanguageError;
 pub use leaf::{Leaf, Name, Object, Tag, Takes};
+pub use machine::{Machine, Rule, Setting};
 pub use measure::{Measure, is_inert};
 pub use params::{
     Activation, Behaviours, CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, ItemPlacement,

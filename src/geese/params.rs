@@ -187,6 +187,8 @@ pub enum ParentSelection {
 pub enum GenomeSelection {
     /// The most diverse one.
     Diversity,
+    /// The winner of a tournament by fitness.
+    Tournament,
     /// The first that maps to a program: no selection.
     Random,
     /// No child: a random genome, as at the start.
@@ -393,7 +395,12 @@ impl Params {
             "children" => put_whole(&mut self.children, value),
             "genome-selection" => put_word(
                 &mut self.genome_selection,
-                &[GenomeSelection::Diversity, GenomeSelection::Random, GenomeSelection::Fresh],
+                &[
+                    GenomeSelection::Diversity,
+                    GenomeSelection::Tournament,
+                    GenomeSelection::Random,
+                    GenomeSelection::Fresh,
+                ],
                 value,
             ),
             "crossover-mode" => put_word(

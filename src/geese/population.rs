@@ -1,5 +1,6 @@
 //! Evolved populations: saved with their fitness, and dealt out again to agents that evolve on or stay as they are.
 
+use super::controller::Controller;
 use super::leaf::Leaf;
 use super::mind::Mind;
 use super::params::{Params, PopulationForm};
@@ -134,29 +135,31 @@ impl Population {
         self.chosen(params).iter().filter_map(known).collect()
     }
 
-    /// The controller of each agent: codons and tree. Members are dealt out in turns; a blended agent has them all
+    /// The controller of each agent, with its codons. Members are dealt out in turns; a blended agent has them all
     /// under one root, each agent in an order of its own.
     ///
     /// The paper's root is a Parallel that "loosely acts as a logical or". No leaf here returns RUNNING, so it ticks every
     /// child once in each step and its status has no effect: a Sequence of children that are forced to succeed.
     ///
     /// # Errors
-    /// The member whose genome maps to no program of the compiler's grammar.
+    /// The member whose genome maps to no program of the compiler's grammar, or is no tree where trees are to be blended.
     pub fn deal(&self, params: &Params, seed: Seed, compiler: &mut Compiler) -> Result<Vec<Dealt>, String> {
         let chosen = self.chosen(params);
-        let mut trees = Vec::with_capacity(chosen.len());
+        let mut controllers = Vec::with_capacity(chosen.len());
         for member in &chosen {
-            let mut tree = placeholder();
-            compiler.compile(&member.genome, &mut tree).map_err(|_| {
+            let mut controller = Controller::default();
+            compiler.compile(&member.genome, &mut controller).map_err(|_| {
                 let index = self.members.iter().position(|other| std::ptr::eq(other, *member)).unwrap_or(0);
                 format!("members[{index}].genome: expected codons of a program of the grammar, found none")
             })?;
-            trees.push(tree);
+            controllers.push(controller);
         }
         let agents = 0..params.agents;
         Ok(match params.population_form {
-            PopulationForm::Blended => agents
-                .map(|agent| {
+            PopulationForm::Blended => {
+                let trees: Option<Vec<&Tree<Leaf>>> = controllers.iter().map(Controller::tree).collect();
+                let trees = trees.ok_or("expected behaviour trees to blend, found state machines")?;
+                let blended = agents.map(|agent| {
                     let mut order: Vec<usize> = (0..trees.len()).collect();
                     let mut rng = stream(seed, Purpose::Genesis, agent);
                     for last in (1..order.len() as u32).rev() {
@@ -164,14 +167,15 @@ impl Population {
                     }
                     Dealt {
                         codons: chosen[order[0]].genome.clone(),
-                        tree: blend(order.iter().map(|&index| &trees[index])),
+                        controller: blend(order.iter().map(|&index| trees[index])).into(),
                     }
-                })
-                .collect(),
+                });
+                blended.collect()
+            }
             _ => agents
                 .map(|agent| {
                     let index = agent as usize % chosen.len();
-                    Dealt { codons: chosen[index].genome.clone(), tree: trees[index].clone() }
+                    Dealt { codons: chosen[index].genome.clone(), controller: controllers[index].clone() }
                 })
                 .collect(),
         })
@@ -193,7 +197,7 @@ pub struct Dealt {
     /// The codons; of a blended agent those of its first tree.
     pub codons: Vec<u16>,
     /// The program.
-    pub tree: Tree<Leaf>,
+    pub controller: Controller,
 }
 
 fn blend<'a>(trees: impl Iterator<Item = &'a Tree<Leaf>>) -> Tree<Leaf> {

@@ -1,7 +1,9 @@
-//! From a genome to an agent's program: the survey of a child, and the tree of a winner.
+//! From a genome to an agent's program: the survey of a child, and the tree or the machine of a winner.
 
+use super::controller::Controller;
 use super::language::{Language, LanguageError, Token};
 use super::leaf::{Leaf, Name, Object, Tag};
+use super::rules::{self, Rules, writes_machines};
 use super::variety::most_names;
 use crate::bt::{Builder, Kind, Tree};
 use crate::evolution::{
@@ -16,7 +18,7 @@ use std::fmt;
 pub enum CompilerError {
     /// It is no grammar.
     Grammar(GrammarError),
-    /// Its sentences are no trees.
+    /// Its sentences are neither trees nor machines.
     Language(LanguageError),
 }
 
@@ -35,7 +37,7 @@ impl std::error::Error for CompilerError {}
 #[derive(Clone, Debug)]
 pub struct Compiler {
     grammar: Grammar,
-    language: Language,
+    sentences: Sentences,
     mapper: Mapper,
     limits: Limits,
     /// For each alternative, the names that its own text brings.
@@ -43,8 +45,39 @@ pub struct Compiler {
     /// All names of the grammar.
     vocabulary: u16,
     most_names: u32,
-    tokens: Vec<Token>,
-    builder: Builder<Leaf>,
+    terminals: Vec<TerminalId>,
+}
+
+/// What the sentences of a grammar are.
+#[derive(Clone, Debug)]
+pub enum Sentences {
+    /// Trees, built in memory that is used again.
+    Trees(Language, Box<(Vec<Token>, Builder<Leaf>)>),
+    /// State machines.
+    Machines(Rules),
+}
+
+impl Sentences {
+    fn of(grammar: &Grammar) -> Result<Self, LanguageError> {
+        if writes_machines(grammar) {
+            return Rules::of(grammar).map(Self::Machines);
+        }
+        Ok(Self::Trees(Language::of(grammar)?, Box::default()))
+    }
+
+    /// The names in a terminal, as bits of [`Name::bit`].
+    fn names(&self, terminal: TerminalId) -> u16 {
+        let id = usize::from(terminal.0);
+        let bit = |name: Option<Name>| name.map_or(0, Name::bit);
+        match self {
+            Self::Trees(language, _) => language.tokens[id]
+                .iter()
+                .fold(0, |set, token| set | bit(if let Token::Name(name) = token { Some(*name) } else { None })),
+            Self::Machines(rules) => rules.tokens[id]
+                .iter()
+                .fold(0, |set, token| set | bit(if let rules::Token::Name(name) = token { Some(*name) } else { None })),
+        }
+    }
 }
 
 /// What a child is judged by, found without building its tree.
@@ -63,16 +96,13 @@ impl Compiler {
     /// The first fault of the text, with line and column.
     pub fn new(text: &str, limits: Limits) -> Result<Self, CompilerError> {
         let grammar = Grammar::parse(text).map_err(CompilerError::Grammar)?;
-        let language = Language::of(&grammar).map_err(CompilerError::Language)?;
+        let sentences = Sentences::of(&grammar).map_err(CompilerError::Language)?;
         let mut names = Vec::new();
         for rule in (0..grammar.rule_count()).map(RuleId) {
             for alternative in grammar.alternatives(rule) {
                 let bits = grammar.symbols(alternative).iter().map(|(symbol, _)| match symbol {
                     Symbol::NonTerminal(_) => 0,
-                    Symbol::Terminal(terminal) => language.tokens[usize::from(terminal.0)]
-                        .iter()
-                        .map(|token| if let Token::Name(name) = token { name.bit() } else { 0 })
-                        .fold(0, |set, bit| set | bit),
+                    Symbol::Terminal(terminal) => sentences.names(*terminal),
                 });
                 names.push(bits.fold(0, |set, bit| set | bit));
             }
@@ -80,8 +110,7 @@ impl Compiler {
         let vocabulary = names.iter().fold(0, |set, bits| set | bits);
         let most_names = most_names(&grammar, &names, limits.max_depth);
         let mapper = Mapper::new(&grammar);
-        let (tokens, builder) = (Vec::new(), Builder::default());
-        Ok(Self { grammar, language, mapper, limits, names, vocabulary, most_names, tokens, builder })
+        Ok(Self { grammar, sentences, mapper, limits, names, vocabulary, most_names, terminals: Vec::new() })
     }
 
     /// The grammar.
@@ -90,10 +119,10 @@ impl Compiler {
         &self.grammar
     }
 
-    /// The tokens of each terminal of the grammar.
+    /// What the grammar's sentences are.
     #[must_use]
-    pub fn tokens_of_terminals(&self) -> &[Vec<Token>] {
-        &self.language.tokens
+    pub fn sentences(&self) -> &Sentences {
+        &self.sentences
     }
 
     /// The limits of every mapping.
@@ -111,7 +140,8 @@ impl Compiler {
     /// Diversity D: distinct leaf names over the names of the grammar; in [0, 1].
     ///
     /// Source: BeTr-GEESE, section 4.1, "the total number of unique behaviors nodes divided by the total behaviors
-    /// defined in the grammar". `DummyNode` does nothing and is not counted.
+    /// defined in the grammar". `DummyNode` does nothing and is not counted. In a machine the names are those of its states
+    /// and of the conditions that it tests (our choice); variables and probabilities have none.
     #[must_use]
     pub fn diversity(&self, names: u16) -> f64 {
         f64::from(names.count_ones()) / f64::from(self.vocabulary.count_ones().max(1))
@@ -137,15 +167,25 @@ impl Compiler {
         f64::from(self.most_names) / f64::from(self.vocabulary.count_ones().max(1))
     }
 
-    /// Builds the tree of a genome into `tree`, whose memory is used again.
+    /// Builds the tree or the machine of a genome into `controller`, whose memory is used again.
     ///
     /// # Errors
-    /// The genome maps to no program; `tree` stays as it was.
-    pub fn compile(&mut self, codons: &[u16], tree: &mut Tree<Leaf>) -> Result<(), Invalid> {
-        self.tokens.clear();
-        let mut writer = Writer { of_terminal: &self.language.tokens, tokens: &mut self.tokens };
-        self.mapper.map(codons, self.limits, &mut writer)?;
-        build(&self.tokens, &mut self.builder, tree);
+    /// The genome maps to no program; `controller` stays as it was.
+    pub fn compile(&mut self, codons: &[u16], controller: &mut Controller) -> Result<(), Invalid> {
+        let Self { sentences, mapper, limits, terminals, .. } = self;
+        terminals.clear();
+        mapper.map(codons, *limits, &mut Writer(terminals))?;
+        match sentences {
+            Sentences::Trees(language, memory) => {
+                let (tokens, builder) = &mut **memory;
+                tokens.clear();
+                for terminal in terminals {
+                    tokens.extend_from_slice(&language.tokens[usize::from(terminal.0)]);
+                }
+                build(tokens, builder, controller.tree_mut());
+            }
+            Sentences::Machines(rules) => rules.build(terminals, controller.machine_mut()),
+        }
         Ok(())
     }
 }
@@ -163,10 +203,7 @@ impl Derivation for NameSet<'_> {
     }
 }
 
-struct Writer<'a> {
-    of_terminal: &'a [Vec<Token>],
-    tokens: &'a mut Vec<Token>,
-}
+struct Writer<'a>(&'a mut Vec<TerminalId>);
 
 impl Derivation for Writer<'_> {
     const TERMINALS: bool = true;
@@ -174,7 +211,7 @@ impl Derivation for Writer<'_> {
     fn expand(&mut self, _rule: RuleId, _alternative: AlternativeId, _codon: u16, _depth: u32) {}
 
     fn terminal(&mut self, terminal: TerminalId) {
-        self.tokens.extend_from_slice(&self.of_terminal[usize::from(terminal.0)]);
+        self.0.push(terminal);
     }
 }
 

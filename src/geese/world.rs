@@ -2,14 +2,15 @@
 
 use super::body::{Actor, Body};
 use super::breeding::{Best, Breeder, Source};
+use super::controller::{Controller, Planted};
 use super::field::Field;
 use super::mind::{Feedback, Mind, Program, Storage};
 use super::near::Near;
 use super::params::{Activation, Params, StorageContent, SwapRule, Task};
 use super::population::{Dealt, Known, Population};
-use super::program::{Compiler, placeholder};
+use super::program::Compiler;
 use super::visited::Visited;
-use crate::bt::{Memory, tick_once};
+use crate::bt::{Status, tick_once};
 use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, stream};
@@ -132,7 +133,8 @@ impl World {
             .map(|id| {
                 let genesis = stream(seed, Purpose::Genesis, id);
                 let evolution = stream(seed, Purpose::Evolution, id);
-                new_mind(&mut breeder, params, genesis, evolution, dealt.next()).ok_or_else(|| {
+                let luck = stream(seed, Purpose::Luck, id);
+                new_mind(&mut breeder, params, genesis, [evolution, luck], dealt.next()).ok_or_else(|| {
                     let message = "expected a grammar of which random genomes give programs, \
                                    found one that gave none in 100,000 draws (try a greater max-depth)";
                     ("grammar", message.to_owned())
@@ -299,18 +301,18 @@ fn new_mind(
     breeder: &mut Breeder,
     params: &Params,
     mut genesis: Stream,
-    evolution: Stream,
+    [evolution, luck]: [Stream; 2],
     dealt: Option<Dealt>,
 ) -> Option<Mind> {
     let mut genome = Genome::default();
-    let mut program = Program { tree: placeholder(), memory: Memory::default(), trace: Vec::new(), id: 0 };
+    let mut program = Program::default();
     let survey = if let Some(dealt) = dealt {
         genome.codons = dealt.codons;
-        program.tree = dealt.tree;
+        program.controller = dealt.controller;
         breeder.compiler.survey(&mut genome, None)?
     } else {
         let survey = breeder.genesis(params, &mut genesis, &mut genome)?;
-        breeder.compiler.compile(&genome.codons, &mut program.tree).ok()?;
+        breeder.compiler.compile(&genome.codons, &mut program.controller).ok()?;
         survey
     };
     program.renew();
@@ -327,6 +329,7 @@ fn new_mind(
         visited: Visited::new(params.arena_size),
         storage: Storage::default(),
         evolution,
+        luck,
     })
 }
 
@@ -351,19 +354,27 @@ impl State {
     /// paper gives no formula); task fitness counts the items that the whole swarm has brought where they belong.
     fn tick_program(&mut self, params: &Params, agent: u32) {
         let mind = &mut self.minds[agent as usize];
-        let Program { tree, memory, trace, .. } = &mut mind.program;
-        let mut feedback = Feedback::new(tree, trace, self.tick);
         let mut actor = Actor::new(params, &mut self.field, &mut self.bodies[agent as usize], agent);
-        let ticked = tick_once(tree, memory, &mut actor, &mut feedback);
-        debug_assert!(ticked.is_ok(), "evolved trees have no node whose tick can fail");
-        mind.feedback = feedback.sum;
+        mind.feedback = match &mut mind.program.controller {
+            Controller::Tree(Planted { tree, memory, trace }) => {
+                let mut feedback = Feedback::new(tree, trace, self.tick);
+                let ticked = tick_once(tree, memory, &mut actor, &mut feedback);
+                debug_assert!(ticked.is_ok(), "evolved trees have no node whose tick can fail");
+                feedback.sum
+            }
+            // A machine has no nodes whose statuses could count.
+            Controller::Machine(machine) => {
+                machine.step(|leaf| actor.act(leaf) == Status::Success, &mut mind.luck, self.tick);
+                0
+            }
+        };
         mind.task = self.field.delivered();
         mind.visited.mark(self.field.agents.point(agent));
         let carrying = self.bodies[agent as usize].load.is_some();
         let types = [
             (params.fitness_diversity, mind.diversity),
             (params.fitness_exploration, mind.visited.count() as f64),
-            (params.fitness_feedback, f64::from(feedback.sum)),
+            (params.fitness_feedback, f64::from(mind.feedback)),
             (params.fitness_prospective, f64::from(u8::from(carrying))),
             (params.fitness_task, f64::from(mind.task)),
         ];
@@ -474,9 +485,8 @@ impl State {
     /// About how many bytes a copy takes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        let program = |program: &Program| program.trace.len() * 64;
         let mind = |mind: &Mind| {
-            let programs = program(&mind.program) + program(&mind.replaced);
+            let programs = mind.program.controller.bytes() + mind.replaced.controller.bytes();
             size_of::<Mind>() + size_of::<Body>() + mind.visited.bytes() + mind.storage.bytes() + programs + 256
         };
         self.minds.iter().map(mind).sum::<usize>() + self.history.len() * size_of::<Sample>() + 8192

@@ -20,12 +20,12 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "storage-threshold",
-        kind: int(1, 50, 1000),
+        kind: int(0, 50, 1000),
         unit: "genomes",
         apply: Apply::Live,
         group: EVOLUTION,
         label: "Storage threshold",
-        help: "A robot breeds when it has stored more than this many genomes of other robots.",
+        help: "A robot breeds when it has stored more than this many genomes of other robots; with 0 at every meeting, as GEESE did.",
         source: TABLE_1,
     },
     Parameter {
@@ -92,6 +92,7 @@ pub const PARAMETERS: &[Parameter] = &[
         name: "genome-selection",
         kind: Kind::Choice(&[
             ("diversity", "The most diverse"),
+            ("tournament", "Tournament by fitness"),
             ("random", "Any that works"),
             ("fresh", "None: a random program"),
         ]),
@@ -99,7 +100,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Live,
         group: EVOLUTION,
         label: "Choice of child",
-        help: "Which child may become the robot's program. Any that works shows what selection adds; a random program in its place shows what changing programs alone does.",
+        help: "Which child may become the robot's program. In a tournament (GEESE) a child counts as the mean of its parents. Any that works shows what selection adds; a random program in its place shows what changing programs alone does.",
         source: TABLE_1,
     },
     Parameter {
@@ -328,7 +329,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Restart,
         group: GENOME,
         label: "Grammar",
-        help: "The rules that turn codons into behaviour trees. The words ppa and nominal stand for the built-in rules of the task.",
+        help: "The rules that turn codons into behaviour trees, or into state machines. The words ppa, nominal, machine, hand-tree and hand-machine stand for built-in rules of the task.",
         source: "BeTr-GEESE, appendix B; the parts the paper leaves out are those of the authors' grammar",
     },
 ];

@@ -13,6 +13,10 @@ fn preset(name: &str) -> &'static str {
     match name {
         "foraging" => include_str!("../scenarios/foraging.json"),
         "foraging-paper" => include_str!("../scenarios/foraging-paper.json"),
+        "geese" => include_str!("../scenarios/geese.json"),
+        "geese-nest" => include_str!("../scenarios/geese-nest.json"),
+        "hand-machine" => include_str!("../scenarios/hand-machine.json"),
+        "hand-tree" => include_str!("../scenarios/hand-tree.json"),
         "geese-bt" => include_str!("../scenarios/geese-bt.json"),
         "nest" => include_str!("../scenarios/nest.json"),
         "obstacles" => include_str!("../scenarios/obstacles.json"),

@@ -46,6 +46,11 @@ fn glance_of_agents() {
 }
 
 #[test]
+fn glance_of_algorithms() {
+    glance("algorithms");
+}
+
+#[test]
 fn glance_of_depth() {
     glance("depth");
 }

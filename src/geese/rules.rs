@@ -339,14 +339,14 @@ impl Checker<'_> {
         self.expect(Token::Close, ")")?;
         self.expect(Token::Open(Section::Goto), "Goto(")?;
         self.part(Part::Probability)?;
-        self.expect(Token::Comma, ",")?;
+        self.expect(Token::Comma, "a comma")?;
         self.part(Part::State)?;
         self.expect(Token::Close, ")")?;
         if self.take(Token::Open(Section::Set)) {
             self.part(Part::Variable)?;
-            self.expect(Token::Comma, ",")?;
+            self.expect(Token::Comma, "a comma")?;
             self.part(Part::Bool)?;
-            self.expect(Token::Comma, ",")?;
+            self.expect(Token::Comma, "a comma")?;
             self.part(Part::Probability)?;
             self.expect(Token::Close, ")")?;
         }
@@ -382,7 +382,7 @@ fn token_text(token: Token) -> String {
             format!("{name}(")
         }
         Token::Close => ")".to_owned(),
-        Token::Comma => ",".to_owned(),
+        Token::Comma => "a comma".to_owned(),
         Token::Equals => "equals".to_owned(),
         Token::Bool(value) => value.to_string(),
         Token::Millionths(number) => probability(number).to_string(),

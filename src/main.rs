@@ -46,7 +46,7 @@ enum Command {
     Reproduction(cli::report::ReproductionArguments),
     /// Put the results of a study's shards into one file, in the order of the runs
     Merge(cli::report::MergeArguments),
-    /// Measure how fast a scenario runs and print the result as one line of JSON
+    /// Measure how fast a scenario runs and print the result as one line of JSON; a run that ends is followed by the next seed
     Bench {
         /// A scenario file
         scenario: PathBuf,
@@ -188,16 +188,28 @@ fn bench_tree(file: &Path, ticks: u32) -> Result<(), Failure> {
 
 #[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
 fn bench(path: &Path, steps: u32) -> Result<(), Failure> {
-    let mut run = cli::run::read_run(path, &[("steps", Some(Value::from(steps)))])?;
+    let read = |seed| cli::run::read_run(path, &[("steps", Some(Value::from(steps))), ("seed", seed)]);
+    let mut run = read(None)?;
     let agents = run.geese().map_or(1, |world| world.params().agents);
-    let begun = Instant::now();
-    run.advance(steps);
-    let seconds = begun.elapsed().as_secs_f64();
-    let agent_steps = u64::from(run.tick()) * u64::from(agents);
+    let (mut made, mut seconds, first) = (0, 0.0, run.scenario().seed.value());
+    let mut runs = 0;
+    loop {
+        let begun = Instant::now();
+        made += run.advance(steps - made);
+        seconds += begun.elapsed().as_secs_f64();
+        runs += 1;
+        // A run without any step would never fill the time.
+        if made >= steps || run.tick() == 0 {
+            break;
+        }
+        run = read(Some(Value::from(first + runs)))?;
+    }
+    let agent_steps = u64::from(made) * u64::from(agents);
     let result = json!({
         "world": run.scenario().world.name(),
-        "seed": run.scenario().seed.value(),
-        "steps": run.tick(),
+        "seed": first,
+        "runs": runs,
+        "steps": made,
         "agent_steps": agent_steps,
         "seconds": seconds,
         "agent_steps_per_second": agent_steps as f64 / seconds,

@@ -76,7 +76,7 @@
  * @property {{ count: number, top: { id: string, agents: number, text: string, first: number }[] }} programs
  * @property {{ name: string, agents: number, ticked: number, succeeded: number }[]} behaviours
  * @property {AgentDetail | null} agent
- * @property {{ program: string, text: string, agents: number[], nodes: TreeNode[] } | null} tree
+ * @property {{ program: string, text: string, agents: number[], nodes: TreeNode[], machine: Machine | null } | null} tree the program shown; a machine has no nodes
  * @property {number[] | null} reached
  *
  * @typedef {{ codon: number, value: number, rule: string, alternatives: number, choice: number, text: string, depth: number, node: number | null }} Derivation
@@ -88,7 +88,24 @@
  * @property {string | null} phenotype
  * @property {number | null} diversity
  * @property {Derivation[]} steps
- * @property {TreeNode[] | null} nodes
+ * @property {TreeNode[] | null} nodes of a tree
+ * @property {Machine | null} machine
+ *
+ * @typedef {object} MachineRule
+ * @property {string[]} from states in which it can fire
+ * @property {string[]} wanted tests, such as `not IsCarrying Food`
+ * @property {boolean} equals false: it fires unless all tests are as wanted
+ * @property {string} goto
+ * @property {number} goto_probability
+ * @property {[string, number] | null} set what is set, and how likely
+ * @property {string} text
+ * @property {number} reached_now
+ * @property {number} reached_recently
+ *
+ * @typedef {object} Machine a state machine; the shares are of the robots shown, in the last tick
+ * @property {{ label: string, now: number, succeeded?: number }[]} states
+ * @property {{ label: string, now: number }[]} tests
+ * @property {MachineRule[]} rules
  *
  * @typedef {{ every: number, from: number, delivered: number[], programs: number[], carrying: number[], swaps: number[] }} History
  *

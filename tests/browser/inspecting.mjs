@@ -118,4 +118,40 @@ export const cases = [
       assert.equal(await page.locator('.agent-table tr.chosen th').textContent(), '7');
     },
   ],
+  [
+    'machine_is_shown_as_rules_with_its_state_and_the_rule_that_fired',
+    async (open) => {
+      const { page, seek } = await open('#/forage?preset=hand-machine', { acceptDownloads: true });
+      await seek(60);
+      const rules = page.locator('#panel-tree .machine-rules tbody tr');
+      await rules.nth(4).waitFor();
+      assert.equal(await rules.count(), 5);
+      assert.match((await rules.first().textContent()) ?? '', /In.*MoveTowards Hub.*If.*IsCarrying Food.*Go to.*CompositeDrop Food/);
+      // Of all robots: shares, and a rule rings those for which it fired.
+      await rules.nth(2).getByRole('button').click();
+      await page.locator('.said').filter({ hasText: /robots? fired this rule in the last tick/ }).waitFor();
+      // Of one robot: exactly one state is the present one.
+      await page.locator('#canvas').focus();
+      await page.keyboard.press('Home');
+      await page.locator('.machine-states tr.chosen').filter({ hasText: '● here' }).waitFor();
+      assert.equal(await page.locator('.machine-states tr.chosen').count(), 1);
+      assert.equal(await page.getByRole('button', { name: 'Open in workbench' }).isVisible(), false);
+      const saved = page.waitForEvent('download');
+      await page.getByRole('button', { name: 'Rules', exact: true }).click();
+      assert.match((await saved).suggestedFilename(), /^robot-0-tick60\.bnf$/);
+    },
+  ],
+  [
+    'genome_of_a_machine_shows_its_rules',
+    async (open) => {
+      const { page, seek } = await open('#/forage?preset=geese');
+      await seek(40);
+      await page.locator('#canvas').focus();
+      await page.keyboard.press('Home');
+      await page.locator('#tab-genome').click();
+      await page.locator('#panel-genome .machine-rules tbody tr').first().waitFor();
+      await page.locator('.codon').nth(3).click();
+      await page.locator('#panel-genome .machine-rules tr.chosen').first().waitFor();
+    },
+  ],
 ];

@@ -110,11 +110,14 @@ function relations(nodes, collapsed) {
 }
 
 /**
- * A program in one line: its leaves without the shape, actions first, since they tell most.
+ * A program in one line: the leaves of a tree without the shape, actions first, since they tell most; of a machine the
+ * states that its rules go to.
  *
  * @param {string} written such as `Sel[Post(IsCarrying Food) Seq[Pre(IsVisitedBefore Hub) Act(Explore)]]`
  */
 export function gist(written) {
+  const states = new Set([...written.matchAll(/Goto\([^,]+, ([^)]+)\)/g)].map(([, state]) => state));
+  if (states.size > 0) return [...states].join(' · ');
   const leaves = [...written.matchAll(/(\w+)\(([^)]*)\)/g)];
   if (leaves.length === 0) return written;
   leaves.sort((a, b) => Number(b[1] === 'Act') - Number(a[1] === 'Act'));

@@ -1,5 +1,6 @@
 import { button, h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
+import { createMachineSlot } from './machineslot.js';
 import { createTreeFigure } from './treefigure.js';
 
 /** @import { Engine } from '../engine.js' */
@@ -23,8 +24,9 @@ export function createGenomeTab(engine, run, selection) {
   const whatIf = h('div', { class: 'what-if', hidden: true }, h('p', {}, text.genome.whatIf), button(text.genome.reset, reset));
   const figure = createTreeFigure({ label: text.genome.tree, select: pointFromTree });
   const frame = h('div', { class: 'tree-frame' }, figure.svg);
+  const machine = createMachineSlot({ plain: true });
   const empty = h('p', { class: 'empty' }, text.agent.none);
-  const body = h('div', {}, said, cells, rule, whatIf, verdict, frame);
+  const body = h('div', {}, said, cells, rule, whatIf, verdict, frame, machine.element);
   const element = h('div', { class: 'tab-body' }, empty, body);
 
   /** @type {number[]} genome of the robot in the run */
@@ -106,7 +108,9 @@ export function createGenomeTab(engine, run, selection) {
     write(said, text.genome.said(robot, derived.used, codons.length));
     write(verdict, derived.valid ? text.genome.valid(derived.depth, derived.diversity ?? 0) : text.genome.invalid(derived.reason ?? ''));
     verdict.classList.toggle('bad', !derived.valid);
-    figure.show(derived.nodes, { shape: derived.phenotype ?? 'none', group: true });
+    const how = { shape: derived.phenotype ?? 'none', group: true };
+    figure.show(derived.nodes, how);
+    machine.show(derived.machine, how);
     pointFromCodon(current);
   }
 
@@ -114,7 +118,9 @@ export function createGenomeTab(engine, run, selection) {
   function pointFromCodon(index) {
     const read = steps.get(index);
     write(rule, text.genome.rule(index, codons[index], read ?? []));
-    figure.point(read?.find((step) => step.node !== null)?.node ?? null);
+    const made = read?.find((step) => step.node !== null)?.node ?? null;
+    figure.point(made);
+    machine.point(made);
     light(new Set([index]));
   }
 

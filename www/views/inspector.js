@@ -78,14 +78,17 @@ export function createInspector({ pane, engine, run, state, selection, theme, on
     return { tree: true, ...withNode };
   }
 
-  /** Takes the tree on screen away as XML. @param {boolean} bench into the workbench, else as a file */
+  /** Takes the program on screen away: a tree as XML, a machine as rules. @param {boolean} bench into the workbench, else as a file */
   async function take(bench) {
     const { scope, agent } = selection;
     const title = scope === 'agent' ? text.world.robot(agent ?? 0) : text.scope.program;
     try {
       const { xml } = await engine.request('export', { query: query() });
       if (bench) await openTree(xml, title);
-      else save(`${title.toLowerCase().replaceAll(' ', '-')}-tick${run.tick}.xml`, new Blob([xml], { type: 'application/xml' }));
+      else {
+        const [ending, type] = xml.startsWith('<?xml') ? ['xml', 'application/xml'] : ['bnf', 'text/plain'];
+        save(`${title.toLowerCase().replaceAll(' ', '-')}-tick${run.tick}.${ending}`, new Blob([xml], { type }));
+      }
     } catch (error) {
       if (!(error instanceof EngineError && error.fatal)) say(text.tree.notExported(messageOf(error)), 'problem');
     }
@@ -123,7 +126,7 @@ export function createInspector({ pane, engine, run, state, selection, theme, on
   /** @param {Detail} detail */
   function show(detail) {
     const { node } = selection;
-    if (node !== null && detail.tree && node >= detail.tree.nodes.length) selection.selectNode(null);
+    if (node !== null && detail.tree && node >= (detail.tree.machine?.rules ?? detail.tree.nodes).length) selection.selectNode(null);
     selection.ring(selection.node === null ? [] : (detail.reached ?? []));
     ringed();
     if (tabs.current() === 'tree') tree.show(detail);

@@ -49,6 +49,7 @@ export function createTreeFigure({ label, select }) {
   function build() {
     parts.clear();
     if (nodes.length === 0) {
+      drawing = { boxes: [], links: [], width: 0, height: 0 };
       svg.replaceChildren();
       svg.setAttribute('height', '0');
       return;

@@ -1,15 +1,20 @@
 import { button, h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
+import { machineText } from '../ui/strings.machines.en.js';
 import { gist } from '../draw/tree.js';
+import { createMachineSlot } from './machineslot.js';
 import { createTreeFigure } from './treefigure.js';
 
 /** @import { Selection } from '../selection.js' */
 /** @import { Detail } from '../types.js' */
 
+/** What the words of a machine are for a tree. */
+const treeText = { noun: 'tree', scope: text.scope.program, programs: text.tree.programs, behaviours: text.tree.behaviours, file: text.tree.xml, fileLong: text.tree.xmlLong, reached: text.tree.reached };
+
 /**
- * The trees of the swarm: everyone's, one group's, one robot's.
+ * The programs of the swarm: everyone's, one group's, one robot's.
  *
- * @param {{ selection: Selection, take: (bench: boolean) => void }} parts `take` gives the tree on screen away as XML: into the workbench, or as a file
+ * @param {{ selection: Selection, take: (bench: boolean) => void }} parts `take` gives the program on screen away: a tree as XML into the workbench or as a file, a machine as a file
  */
 export function createTreeTab({ selection, take }) {
   const scopes = /** @type {const} */ (['everyone', 'program', 'agent']);
@@ -20,21 +25,21 @@ export function createTreeTab({ selection, take }) {
   search.addEventListener('input', () => write(found, text.tree.found(figure.search(search.value))));
   const figure = createTreeFigure({ label: text.tree.label, select: (id) => selection.selectNode(id) });
   const frame = h('div', { class: 'tree-frame' }, figure.svg);
-  const away = h(
-    'div',
-    { class: 'row' },
-    button(text.tree.openInBench, () => take(true), { title: text.tree.openInBenchLong }),
-    button(text.tree.xml, () => take(false), { title: text.tree.xmlLong }),
-  );
+  const machine = createMachineSlot({ select: (rule) => selection.selectNode(rule) });
+  const bench = button(text.tree.openInBench, () => take(true), { title: text.tree.openInBenchLong });
+  const file = button(text.tree.xml, () => take(false), { title: text.tree.xmlLong });
+  const away = h('div', { class: 'row' }, bench, file);
+  const searching = h('div', { class: 'search' }, search, found);
   const reached = h('p', { class: 'said small' });
   const key = h('p', { class: 'status-key', 'aria-hidden': 'true' });
   const programs = h('ol', { class: 'programs' });
   const programsTitle = h('h2', {}, text.tree.programs);
   const behaviours = h('tbody', {});
+  const behavioursTitle = h('caption', {}, text.tree.behaviours);
   const behaviourTable = h(
     'table',
     { class: 'behaviours' },
-    h('caption', {}, text.tree.behaviours),
+    behavioursTitle,
     h('thead', {}, h('tr', {}, ...text.tree.behaviourColumns.map((column) => h('th', { scope: 'col' }, column)))),
     behaviours,
   );
@@ -43,8 +48,9 @@ export function createTreeTab({ selection, take }) {
     { class: 'tab-body' },
     h('div', { class: 'scopes', role: 'group', 'aria-label': text.scope.label }, ...scopeButtons),
     said,
-    h('div', { class: 'search' }, search, found),
+    searching,
     frame,
+    machine.element,
     away,
     reached,
     key,
@@ -64,19 +70,30 @@ export function createTreeTab({ selection, take }) {
   function show(detail) {
     const { scope } = selection;
     lastTop = detail.programs.top[0]?.id ?? '';
+    const shown = detail.tree?.machine;
+    const words = shown ? machineText : treeText;
     scopes.forEach((name, index) => scopeButtons[index].setAttribute('aria-pressed', String(name === scope)));
+    write(scopeButtons[1], words.scope);
     write(scopeButtons[2], selection.agent === null ? text.scope.agent : text.world.robot(selection.agent));
     away.hidden = scope === 'everyone' || !detail.tree;
     const group = scope !== 'agent';
     const holders = detail.tree?.agents.length ?? 0;
-    if (scope === 'everyone') write(said, text.tree.everyone(detail.programs.count, detail.programs.top[0]?.agents ?? 0));
+    if (scope === 'everyone') write(said, text.tree.everyone(detail.programs.count, detail.programs.top[0]?.agents ?? 0, words.noun));
     else if (!detail.tree) write(said, scope === 'program' ? text.tree.gone : text.tree.none);
-    else write(said, scope === 'program' ? text.tree.group(holders) : text.tree.agent(selection.agent ?? 0, holders - 1));
+    else write(said, scope === 'program' ? text.tree.group(holders) : text.tree.agent(selection.agent ?? 0, holders - 1, words.noun));
     if (detail.tree || scope !== 'program') {
-      figure.show(detail.tree?.nodes ?? null, { shape: `${detail.tree?.program ?? 'none'}`, group, selected: selection.node });
+      const how = { shape: `${detail.tree?.program ?? 'none'}`, group, selected: selection.node };
+      figure.show(detail.tree?.nodes ?? null, how);
+      machine.show(shown, how);
+      for (const part of [frame, searching, key]) part.hidden = Boolean(shown);
+      bench.hidden = Boolean(shown);
+      write(file, words.file);
+      file.title = words.fileLong;
     }
-    write(reached, selection.node === null || !detail.reached ? '' : text.tree.reached(detail.reached.length));
+    write(reached, selection.node === null || !detail.reached ? '' : words.reached(detail.reached.length));
     write(key, group ? text.tree.groupKey : text.tree.statusKey);
+    write(programsTitle, words.programs);
+    write(behavioursTitle, words.behaviours);
     for (const part of [programsTitle, programs, behaviourTable]) part.hidden = scope !== 'everyone';
     if (scope === 'everyone') {
       showPrograms(detail);

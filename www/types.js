@@ -97,13 +97,12 @@
  * @property {boolean} equals false: it fires unless all tests are as wanted
  * @property {string} goto
  * @property {number} goto_probability
- * @property {[string, number] | null} set what is set, and how likely
- * @property {string} text
+ * @property {[string, number] | null} set what is set, such as `X, true`, and how likely
  * @property {number} reached_now
  * @property {number} reached_recently
  *
  * @typedef {object} Machine a state machine; the shares are of the robots shown, in the last tick
- * @property {{ label: string, now: number, succeeded?: number }[]} states
+ * @property {{ label: string, now: number, succeeded: number }[]} states
  * @property {{ label: string, now: number }[]} tests
  * @property {MachineRule[]} rules
  *

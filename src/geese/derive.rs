@@ -114,27 +114,28 @@ impl Derivation for Steps {
 
 /// For each terminal the node, or the rule, that what it begins with belongs to; `None` where only blanks follow.
 fn nodes_of_terminals(sentences: &Sentences, terminals: &[TerminalId]) -> Vec<Option<u32>> {
-    let (counts, nodes) = match sentences {
+    let (mut before, mut nodes) = (Vec::new(), Vec::new());
+    match sentences {
         Sentences::Trees(language, _) => {
-            let of = |terminal: &TerminalId| &language.tokens[usize::from(terminal.0)];
-            let tokens: Vec<Token> = terminals.iter().flat_map(of).copied().collect();
-            (terminals.iter().map(|terminal| of(terminal).len()).collect::<Vec<_>>(), nodes_of_tokens(&tokens))
+            let mut tokens = Vec::new();
+            for terminal in terminals {
+                before.push(tokens.len());
+                tokens.extend_from_slice(&language.tokens[usize::from(terminal.0)]);
+            }
+            nodes = nodes_of_tokens(&tokens);
         }
         Sentences::Machines(rules) => {
-            let of = |terminal: &TerminalId| &rules.tokens[usize::from(terminal.0)];
-            let begins = |token: &rules::Token| u32::from(*token == rules::Token::Open(rules::Section::From));
-            let tokens = terminals.iter().flat_map(of).scan(0, |rules, token| {
-                *rules += begins(token);
-                Some(*rules - 1)
-            });
-            (terminals.iter().map(|terminal| of(terminal).len()).collect::<Vec<_>>(), tokens.collect())
+            let mut begun = 0;
+            for terminal in terminals {
+                before.push(nodes.len());
+                for token in &rules.tokens[usize::from(terminal.0)] {
+                    begun += u32::from(*token == rules::Token::Open(rules::Section::From));
+                    nodes.push(begun.saturating_sub(1));
+                }
+            }
         }
-    };
-    let before = counts.iter().scan(0, |sum, count| {
-        *sum += count;
-        Some(*sum - count)
-    });
-    before.map(|before| nodes.get(before).copied()).collect()
+    }
+    before.into_iter().map(|before| nodes.get(before).copied()).collect()
 }
 
 /// For each token the node it belongs to, numbered in preorder as the builder numbers them.

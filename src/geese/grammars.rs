@@ -48,14 +48,14 @@ const NOMINAL: &str = "\
 const MACHINE: &str = "\
 <S> ::= <rules>
 <rules> ::= <rule> | <rule> <rules> | <rule> <rule> <rules> | <rule> <rule> <rule> <rules>
-<rule> ::= From(<state> <state> <state>) If(<hub> <far> <item> <load> <known> <x> <y> equals <bool>)
+<rule> ::= From(<state> <state> <state>) If(<hub> <far> <item> <load> <known> <x> <y> equals <bool>) \
   Goto(<often>, <state>) Set(<variable>, <bool>, <seldom>)
-<state> ::= Explore | MoveTowards Sites | MoveTowards Hub | CompositeSingleCarry Food | CompositeDrop Food
+<state> ::= Explore | MoveTowards Far | MoveTowards Hub | CompositeSingleCarry Item | CompositeDrop Item
 <hub> ::= not NeighbourObjects Hub | NeighbourObjects Hub | -
-<far> ::= not NeighbourObjects Sites | NeighbourObjects Sites | -
-<item> ::= not NeighbourObjects Food | NeighbourObjects Food | -
-<load> ::= not IsCarrying Food | IsCarrying Food | -
-<known> ::= not IsVisitedBefore Sites | IsVisitedBefore Sites | -
+<far> ::= not NeighbourObjects Far | NeighbourObjects Far | -
+<item> ::= not NeighbourObjects Item | NeighbourObjects Item | -
+<load> ::= not IsCarrying Item | IsCarrying Item | -
+<known> ::= not IsVisitedBefore Far | IsVisitedBefore Far | -
 <x> ::= not X | X | -
 <y> ::= not Y | Y | -
 <variable> ::= X | Y
@@ -68,23 +68,23 @@ const MACHINE: &str = "\
 /// senses the source before it asks whether it knows it, so that it learns of it on the way.
 const HAND_TREE: &str = "\
 <S> ::= Sel[<bring> <take> <go> Explore]
-<bring> ::= Seq[IsCarrying Food Sel[<drop> MoveTowards Sink]]
-<drop> ::= Seq[NeighbourObjects Sink CompositeDrop Food]
-<take> ::= Seq[NeighbourObjects Food CompositeSingleCarry Food]
+<bring> ::= Seq[IsCarrying Item Sel[<drop> MoveTowards Sink]]
+<drop> ::= Seq[NeighbourObjects Sink CompositeDrop Item]
+<take> ::= Seq[NeighbourObjects Item CompositeSingleCarry Item]
 <go> ::= Seq[not NeighbourObjects Source IsVisitedBefore Source MoveTowards Source]
 ";
 
 /// The same as a state machine.
 const HAND_MACHINE: &str = "\
 <S> ::= <drop> <bring> <take> <go> <search>
-<drop> ::= From(MoveTowards Sink CompositeSingleCarry Food) If(IsCarrying Food NeighbourObjects Sink equals true)
-  Goto(1, CompositeDrop Food)
-<bring> ::= From(CompositeSingleCarry Food) If(IsCarrying Food equals true) Goto(1, MoveTowards Sink)
-<take> ::= From(Explore MoveTowards Source CompositeDrop Food CompositeSingleCarry Food)
-  If(NeighbourObjects Food equals true) Goto(1, CompositeSingleCarry Food)
-<go> ::= From(Explore CompositeDrop Food CompositeSingleCarry Food)
+<drop> ::= From(MoveTowards Sink CompositeSingleCarry Item) If(IsCarrying Item NeighbourObjects Sink equals true) \
+  Goto(1, CompositeDrop Item)
+<bring> ::= From(CompositeSingleCarry Item) If(IsCarrying Item equals true) Goto(1, MoveTowards Sink)
+<take> ::= From(Explore MoveTowards Source CompositeDrop Item CompositeSingleCarry Item) \
+  If(NeighbourObjects Item equals true) Goto(1, CompositeSingleCarry Item)
+<go> ::= From(Explore CompositeDrop Item CompositeSingleCarry Item) \
   If(not NeighbourObjects Source IsVisitedBefore Source equals true) Goto(1, MoveTowards Source)
-<search> ::= From(MoveTowards Source CompositeDrop Food CompositeSingleCarry Food)
+<search> ::= From(MoveTowards Source CompositeDrop Item CompositeSingleCarry Item) \
   If(not NeighbourObjects Source IsVisitedBefore Source equals false) Goto(1, Explore)
 ";
 
@@ -110,15 +110,21 @@ pub fn grammar_text(grammar: &str, task: Task) -> Cow<'_, str> {
     Cow::Owned(format!("{rules}<s> ::= {places}\n<d> ::= {item}\n{last}"))
 }
 
-/// Puts the task's own words in the place of those for foraging, of Source and of Sink.
+/// Puts the task's own words in the place of Source, Sink, Far (the place that is not the hub) and Item.
 fn bound(rules: &str, task: Task) -> Cow<'static, str> {
-    // The second line of an alternative is for readers of this file.
-    let rules = rules.replace("\n  ", " ");
-    Cow::Owned(match task {
-        Task::Forage => rules.replace("Source", "Sites").replace("Sink", "Hub"),
-        Task::Nest => {
-            let rules = rules.replace("Sites", "Boundary").replace("Food", "Debris");
-            rules.replace("Source", "Hub").replace("Sink", "Boundary")
-        }
-    })
+    let mut text = String::with_capacity(rules.len());
+    // All of it is ASCII; every piece but the last ends with what separates words.
+    for piece in rules.split_inclusive(|c: char| !c.is_ascii_alphanumeric()) {
+        let (word, end) = piece.split_at(piece.len() - 1);
+        text.push_str(match (task, word) {
+            (Task::Forage, "Source" | "Far") => "Sites",
+            (Task::Nest, "Sink" | "Far") => "Boundary",
+            (Task::Forage, "Sink") | (Task::Nest, "Source") => "Hub",
+            (Task::Forage, "Item") => "Food",
+            (Task::Nest, "Item") => "Debris",
+            (_, other) => other,
+        });
+        text.push_str(end);
+    }
+    Cow::Owned(text)
 }

@@ -194,45 +194,63 @@ impl Machine {
     }
 
     /// The states in which a rule can fire.
-    pub fn from(&self, rule: &Rule) -> impl Iterator<Item = Leaf> {
-        let from = rule.from;
-        self.states.iter().enumerate().filter(move |(place, _)| from >> place & 1 == 1).map(|(_, leaf)| *leaf)
+    #[must_use]
+    pub fn from(&self, rule: &Rule) -> Vec<String> {
+        let mut names = Vec::new();
+        for (place, leaf) in self.states.iter().enumerate() {
+            if rule.from >> place & 1 == 1 {
+                names.push(leaf.to_string());
+            }
+        }
+        names
     }
 
     /// The tests of a rule in words, such as `not IsCarrying Food`; those of the variables are last.
     #[must_use]
     pub fn wanted(&self, rule: &Rule) -> Vec<String> {
-        let words = |name: &dyn fmt::Display, bit: u32| {
-            let yes = (rule.holding & bit != 0).then(|| name.to_string());
-            yes.into_iter().chain((rule.failing & bit != 0).then(|| format!("not {name}")))
-        };
-        let tests = self.tests.iter().enumerate().flat_map(|(place, leaf)| words(leaf, 1 << place));
-        tests.chain(VARIABLES.iter().zip(0..).flat_map(|(name, place)| words(name, variable_bit(place)))).collect()
+        let mut words = Vec::new();
+        for place in 0..u32::BITS as usize {
+            let name = match self.tests.get(place) {
+                Some(leaf) => leaf.to_string(),
+                None if place >= 30 => VARIABLES[place - 30].to_owned(),
+                None => continue,
+            };
+            if rule.failing >> place & 1 == 1 {
+                words.push(format!("not {name}"));
+            }
+            if rule.holding >> place & 1 == 1 {
+                words.push(name);
+            }
+        }
+        words
+    }
+
+    /// What a rule sets, in words such as `X, true`, and how likely.
+    #[must_use]
+    pub fn setting(rule: &Rule) -> Option<(String, f64)> {
+        let Setting { variable, value, probability } = rule.set?;
+        Some((format!("{}, {value}", VARIABLES[usize::from(variable)]), probability))
     }
 
     /// A rule as grammars write it.
     #[must_use]
     pub fn rule_text(&self, rule: &Rule) -> String {
-        let from: Vec<String> = self.from(rule).map(|leaf| leaf.to_string()).collect();
-        let mut wanted = self.wanted(rule);
-        if wanted.is_empty() {
-            wanted.push("-".to_owned());
-        }
-        let goto = self.states[usize::from(rule.goto)];
-        let (from, wanted) = (from.join(" "), wanted.join(" "));
-        let (equals, probability) = (rule.equals, rule.goto_probability);
-        let set = rule.set.map(|Setting { variable, value, probability }| {
-            format!(" Set({}, {value}, {probability})", VARIABLES[usize::from(variable)])
-        });
-        format!("From({from}) If({wanted} equals {equals}) Goto({probability}, {goto}){}", set.unwrap_or_default())
+        let (from, wanted) = (self.from(rule).join(" "), self.wanted(rule).join(" "));
+        let wanted = if wanted.is_empty() { "-" } else { &wanted };
+        let (equals, likely, goto) = (rule.equals, rule.goto_probability, self.states[usize::from(rule.goto)]);
+        let set = Self::setting(rule).map(|(what, likely)| format!(" Set({what}, {likely})")).unwrap_or_default();
+        format!("From({from}) If({wanted} equals {equals}) Goto({likely}, {goto}){set}")
     }
 }
 
 impl fmt::Display for Machine {
     /// The rules in one line, as grammars write them.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rules: Vec<String> = self.rules.iter().map(|rule| self.rule_text(rule)).collect();
-        out.write_str(&rules.join(" "))
+        for (at, rule) in self.rules.iter().enumerate() {
+            out.write_str(if at == 0 { "" } else { " " })?;
+            out.write_str(&self.rule_text(rule))?;
+        }
+        Ok(())
     }
 }
 

@@ -11,15 +11,15 @@
 
 use super::language::{LanguageError, of_place};
 use super::leaf::{Leaf, Name, Object, Tag, Takes};
-use super::machine::{Machine, Rule, Setting, VARIABLES, variable_bit};
-use crate::evolution::{AlternativeId, Grammar, RuleId, Symbol, TerminalId};
+use super::machine::{Machine, Rule, Setting, variable_bit};
+use crate::evolution::{Grammar, RuleId, Symbol, TerminalId};
 use crate::nearest::nearest;
 use crate::place::Place;
 
 /// A word, number or sign of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Token {
-    /// One of [`SECTIONS`] with its bracket.
+    /// The name of a part of a rule, with its bracket.
     Open(Section),
     /// `)`
     Close,
@@ -31,7 +31,7 @@ pub enum Token {
     Bool(bool),
     /// A probability, in millionths.
     Millionths(u32),
-    /// A variable, by place in [`VARIABLES`].
+    /// A variable, by its number.
     Variable(u8),
     /// `-`
     Any,
@@ -56,8 +56,42 @@ pub enum Section {
     Set,
 }
 
-const SECTIONS: [(&str, Section); 4] =
-    [("From", Section::From), ("If", Section::If), ("Goto", Section::Goto), ("Set", Section::Set)];
+/// Every word; a section's has a bracket behind it.
+const WORDS: [(&str, Token); 29] = {
+    use Name as N;
+    use Object as O;
+    [
+        ("From", Token::Open(Section::From)),
+        ("If", Token::Open(Section::If)),
+        ("Goto", Token::Open(Section::Goto)),
+        ("Set", Token::Open(Section::Set)),
+        ("equals", Token::Equals),
+        ("true", Token::Bool(true)),
+        ("false", Token::Bool(false)),
+        ("not", Token::Not),
+        ("X", Token::Variable(0)),
+        ("Y", Token::Variable(1)),
+        ("NeighbourObjects", Token::Name(N::NeighbourObjects)),
+        ("IsVisitedBefore", Token::Name(N::IsVisitedBefore)),
+        ("IsCarrying", Token::Name(N::IsCarrying)),
+        ("IsCarryable", Token::Name(N::IsCarryable)),
+        ("IsDropable", Token::Name(N::IsDropable)),
+        ("CanMove", Token::Name(N::CanMove)),
+        ("DummyNode", Token::Name(N::DummyNode)),
+        ("MoveTowards", Token::Name(N::MoveTowards)),
+        ("MoveAway", Token::Name(N::MoveAway)),
+        ("Explore", Token::Name(N::Explore)),
+        ("CompositeSingleCarry", Token::Name(N::CompositeSingleCarry)),
+        ("CompositeDrop", Token::Name(N::CompositeDrop)),
+        ("Hub", Token::Object(O::Hub)),
+        ("Sites", Token::Object(O::Sites)),
+        ("Food", Token::Object(O::Food)),
+        ("Boundary", Token::Object(O::Boundary)),
+        ("Debris", Token::Object(O::Debris)),
+        ("Obstacles", Token::Object(O::Obstacles)),
+        ("Trap", Token::Object(O::Trap)),
+    ]
+};
 
 const MILLION: u32 = 1_000_000;
 
@@ -91,11 +125,11 @@ impl Part {
     }
 }
 
-/// Whether a grammar means to write machines: one of its texts begins a part of a rule.
+/// Whether a grammar means to write machines: one of its texts names a part of a rule.
 #[must_use]
 pub fn writes_machines(grammar: &Grammar) -> bool {
-    let begins = |text: &String| SECTIONS.iter().any(|(name, _)| text.contains(&format!("{name}(")));
-    grammar.terminals().iter().any(begins)
+    let names_part = |word: &str| WORDS[..4].iter().any(|known| known.0 == word);
+    grammar.terminals().iter().any(|text| text.split(|c: char| !c.is_ascii_alphanumeric()).any(names_part))
 }
 
 /// The tokens of each terminal of a grammar whose every sentence is a machine.
@@ -112,14 +146,31 @@ impl Rules {
     /// The first fault with its line and column: an unknown word or sign, or something else than the language wants there.
     pub fn of(grammar: &Grammar) -> Result<Self, LanguageError> {
         let mut tokens = vec![Vec::new(); grammar.terminals().len()];
+        // By alternative.
+        let mut read = Vec::new();
         for rule in (0..grammar.rule_count()).map(RuleId) {
             for alternative in grammar.alternatives(rule) {
+                let mut items = Vec::new();
                 for (symbol, place) in grammar.symbols(alternative) {
-                    if let Symbol::Terminal(TerminalId(id)) = symbol {
-                        let read = read_tokens(&grammar.terminals()[usize::from(*id)], *place)?;
-                        tokens[usize::from(*id)] = read.into_iter().map(|(token, _)| token).collect();
+                    match symbol {
+                        Symbol::NonTerminal(rule) => {
+                            let text = format!("<{}>", grammar.rule_name(*rule));
+                            items.push(Item { what: What::Rule(*rule), place: *place, text });
+                        }
+                        Symbol::Terminal(TerminalId(id)) => {
+                            let from = items.len();
+                            read_tokens(&grammar.terminals()[usize::from(*id)], *place, &mut items)?;
+                            let tokens = &mut tokens[usize::from(*id)];
+                            tokens.clear();
+                            for item in &items[from..] {
+                                if let What::Token(token) = item.what {
+                                    tokens.push(token);
+                                }
+                            }
+                        }
                     }
                 }
+                read.push(items);
             }
         }
         let mut wanted = Wanted { parts: vec![0; usize::from(grammar.rule_count())], list: Vec::new() };
@@ -127,8 +178,8 @@ impl Rules {
         let mut next = 0;
         while let Some(&(rule, part)) = wanted.list.get(next) {
             for alternative in grammar.alternatives(rule) {
-                let items = items(grammar, alternative)?;
-                let mut checker = Checker { grammar, items: &items, next: 0, wanted: &mut wanted };
+                let items = &read[usize::from(alternative.0)];
+                let mut checker = Checker { items, next: 0, wanted: &mut wanted };
                 if part == Part::Rules {
                     checker.rules()?;
                 } else {
@@ -217,25 +268,17 @@ fn probability(millionths: u32) -> f64 {
     f64::from(millionths) / f64::from(MILLION)
 }
 
-/// A symbol of an alternative as the check reads it.
-#[derive(Clone, Copy)]
-enum Item {
-    Token(Token),
-    Rule(RuleId),
+/// A symbol, or a word of a text, as the check reads it.
+struct Item {
+    what: What,
+    place: Place,
+    /// As it is written.
+    text: String,
 }
 
-fn items(grammar: &Grammar, alternative: AlternativeId) -> Result<Vec<(Item, Place)>, LanguageError> {
-    let mut items = Vec::new();
-    for (symbol, place) in grammar.symbols(alternative) {
-        match symbol {
-            Symbol::NonTerminal(rule) => items.push((Item::Rule(*rule), *place)),
-            Symbol::Terminal(TerminalId(id)) => {
-                let read = read_tokens(&grammar.terminals()[usize::from(*id)], *place)?;
-                items.extend(read.into_iter().map(|(token, at)| (Item::Token(token), at)));
-            }
-        }
-    }
-    Ok(items)
+enum What {
+    Token(Token),
+    Rule(RuleId),
 }
 
 /// What each rule of a grammar has to write; grows while it is walked through.
@@ -256,17 +299,16 @@ impl Wanted {
 }
 
 struct Checker<'a> {
-    grammar: &'a Grammar,
-    items: &'a [(Item, Place)],
+    items: &'a [Item],
     next: usize,
     wanted: &'a mut Wanted,
 }
 
 impl Checker<'_> {
     fn peek(&self) -> Option<Token> {
-        match self.items.get(self.next) {
-            Some((Item::Token(token), _)) => Some(*token),
-            Some((Item::Rule(_), _)) | None => None,
+        match self.items.get(self.next)?.what {
+            What::Token(token) => Some(token),
+            What::Rule(_) => None,
         }
     }
 
@@ -283,7 +325,7 @@ impl Checker<'_> {
 
     /// Reads one part; a symbol that stands for it is noted, to be checked on its own.
     fn part(&mut self, part: Part) -> Result<(), LanguageError> {
-        if let Some((Item::Rule(rule), _)) = self.items.get(self.next) {
+        if let Some(Item { what: What::Rule(rule), .. }) = self.items.get(self.next) {
             self.wanted.add(*rule, part);
             self.next += 1;
             return Ok(());
@@ -364,104 +406,81 @@ impl Checker<'_> {
     }
 
     fn fault<T>(&self, expected: &str) -> Result<T, LanguageError> {
-        let (found, place) = match self.items.get(self.next) {
-            None => {
-                ("the end of the alternative".to_owned(), self.items.last().map_or(Place::default(), |item| item.1))
-            }
-            Some((Item::Token(token), place)) => (token_text(*token), *place),
-            Some((Item::Rule(rule), place)) => (format!("<{}>", self.grammar.rule_name(*rule)), *place),
-        };
+        let item = self.items.get(self.next);
+        let found = item.map_or("the end of the alternative", |item| &item.text);
+        let place = item.or(self.items.last()).map_or(Place::default(), |item| item.place);
         Err(LanguageError { place, message: format!("expected {expected}, found {found}") })
     }
 }
 
-fn token_text(token: Token) -> String {
-    match token {
-        Token::Open(section) => {
-            let name = SECTIONS.iter().find(|known| known.1 == section).map_or("", |known| known.0);
-            format!("{name}(")
-        }
-        Token::Close => ")".to_owned(),
-        Token::Comma => "a comma".to_owned(),
-        Token::Equals => "equals".to_owned(),
-        Token::Bool(value) => value.to_string(),
-        Token::Millionths(number) => probability(number).to_string(),
-        Token::Variable(variable) => VARIABLES[usize::from(variable)].to_owned(),
-        Token::Any => "-".to_owned(),
-        Token::Not => "not".to_owned(),
-        Token::Name(name) => name.text().to_owned(),
-        Token::Object(object) => object.text().to_owned(),
-    }
-}
-
 /// Reads literal text that begins at `place`.
-fn read_tokens(text: &str, place: Place) -> Result<Vec<(Token, Place)>, LanguageError> {
+fn read_tokens(text: &str, place: Place, items: &mut Vec<Item>) -> Result<(), LanguageError> {
     let characters: Vec<char> = text.chars().collect();
-    let mut tokens = Vec::new();
     let mut index = 0;
     while index < characters.len() {
-        let at = Place { line: place.line, column: place.column + index as u32 };
-        let sign = characters[index];
-        index += 1;
-        let token = match sign {
-            sign if sign.is_whitespace() => continue,
-            ')' => Token::Close,
-            ',' => Token::Comma,
-            '-' => Token::Any,
-            sign if sign.is_ascii_alphanumeric() => {
-                let more = characters[index..].iter().take_while(|c| c.is_ascii_alphanumeric() || **c == '.').count();
-                let word: String = characters[index - 1..index + more].iter().collect();
-                index += more;
-                let bracket = characters.get(index) == Some(&'(');
-                let token = read_word(&word, bracket).map_err(|message| LanguageError { place: at, message })?;
-                index += usize::from(matches!(token, Token::Open(_)));
-                token
-            }
-            sign => {
-                let message = format!("expected a word, a number, ), - or a comma, found '{sign}'");
-                return Err(LanguageError { place: at, message });
-            }
-        };
-        tokens.push((token, at));
+        let from = index;
+        let is_word = |c: &char| c.is_ascii_alphanumeric() || *c == '.';
+        while characters.get(index).is_some_and(is_word) {
+            index += 1;
+        }
+        // A sign is a word of its own, and a bracket belongs to the name of a part before it.
+        index += usize::from(index == from || characters.get(index) == Some(&'('));
+        let word: String = characters[from..index].iter().collect();
+        if word.trim().is_empty() {
+            continue;
+        }
+        let place = Place { line: place.line, column: place.column + from as u32 };
+        let token = read_word(&word).map_err(|message| LanguageError { place, message })?;
+        items.push(Item { what: What::Token(token), place, text: word });
     }
-    Ok(tokens)
+    Ok(())
 }
 
-fn read_word(word: &str, bracket: bool) -> Result<Token, String> {
-    if let Some((_, section)) = SECTIONS.into_iter().find(|known| known.0 == word) {
-        return if bracket { Ok(Token::Open(section)) } else { Err(format!("expected ( after {word}")) };
+fn read_word(word: &str) -> Result<Token, String> {
+    let name = word.strip_suffix('(').unwrap_or(word);
+    if let Some((_, token)) = WORDS.iter().find(|known| known.0 == name) {
+        return match (token, name == word) {
+            (Token::Open(_), true) => Err(format!("expected ( after {word}")),
+            (Token::Open(_), false) | (_, true) => Ok(*token),
+            (_, false) => Err(format!("expected From(, If(, Goto( or Set(, found {word}")),
+        };
+    }
+    match word {
+        ")" => return Ok(Token::Close),
+        "," => return Ok(Token::Comma),
+        "-" => return Ok(Token::Any),
+        _ => {}
     }
     if word.starts_with(|c: char| c.is_ascii_digit()) {
-        return read_number(word);
+        let expected = Part::Probability.text();
+        let fault = || format!("expected {expected} with at most six decimals, found {word}");
+        return read_millionths(word).map(Token::Millionths).ok_or_else(fault);
     }
-    let fixed =
-        [("equals", Token::Equals), ("true", Token::Bool(true)), ("false", Token::Bool(false)), ("not", Token::Not)];
-    let fixed = fixed.into_iter().find(|known| known.0 == word).map(|known| known.1);
-    let variable = VARIABLES.iter().zip(0..).find(|known| *known.0 == word).map(|known| Token::Variable(known.1));
-    let name = Name::ALL.into_iter().find(|name| name.text() == word).map(Token::Name);
-    let object = Object::ALL.into_iter().find(|object| object.text() == word).map(Token::Object);
-    fixed.or(variable).or(name).or(object).ok_or_else(|| {
-        let words = Name::ALL.iter().map(|name| name.text()).chain(Object::ALL.iter().map(|object| object.text()));
-        let words = words.chain(SECTIONS.iter().map(|known| known.0)).chain(["equals", "true", "false", "not"]);
-        match nearest(word, words) {
-            Some(near) => format!("unknown word \"{word}\", did you mean \"{near}\"?"),
-            None => {
-                format!("unknown word \"{word}\", expected a part such as From(, a condition, an action or an argument")
-            }
+    Err(match nearest(name, WORDS.iter().map(|known| known.0)) {
+        Some(near) => format!("unknown word \"{name}\", did you mean \"{near}\"?"),
+        None => {
+            format!("unknown word \"{name}\", expected a part such as From(, a condition, an action or an argument")
         }
     })
 }
 
-/// A decimal number from 0 to 1 with at most six digits behind the point.
-fn read_number(word: &str) -> Result<Token, String> {
-    let fault = || format!("expected {} with at most six decimals, found {word}", Part::Probability.text());
-    let (whole, decimals) = word.split_once('.').unwrap_or((word, "0"));
-    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    if !digits(whole) || !digits(decimals) || decimals.len() > 6 {
-        return Err(fault());
+/// A decimal number from 0 to 1 with at most six digits behind the point, in millionths.
+fn read_millionths(word: &str) -> Option<u32> {
+    let (mut number, mut unit) = (0, None);
+    for byte in word.bytes() {
+        let digit = u32::from(byte.wrapping_sub(b'0'));
+        match (digit, unit) {
+            (0..=9, None) => number = number * 10 + digit * MILLION,
+            (0..=9, Some(above)) if above > 1 => {
+                number += digit * (above / 10);
+                unit = Some(above / 10);
+            }
+            _ if byte == b'.' && unit.is_none() => unit = Some(MILLION),
+            _ => return None,
+        }
+        if number > MILLION {
+            return None;
+        }
     }
-    let millionths = format!("{decimals:0<6}").parse::<u32>().ok();
-    let sum = whole.parse::<u32>().ok().filter(|whole| *whole <= 1).zip(millionths);
-    let number = sum.map(|(whole, part)| whole * MILLION + part).filter(|number| *number <= MILLION);
-    number.map(Token::Millionths).ok_or_else(fault)
+    Some(number).filter(|_| !word.ends_with('.'))
 }

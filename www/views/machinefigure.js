@@ -51,7 +51,7 @@ export function createMachineFigure({ select, plain = false }) {
     machine.states.forEach(({ now, succeeded }, index) => {
       const row = states.body.rows[index];
       row.classList.toggle('chosen', !group && now > 0);
-      row.dataset.status = !group && (succeeded ?? 0) > 0 ? 'SUCCESS' : '';
+      row.dataset.status = !group && succeeded > 0 ? 'SUCCESS' : '';
       write(row.cells[1], group ? text.share(now) : now > 0 ? text.here : text.away);
     });
     machine.tests.forEach(({ now }, index) => write(tests.body.rows[index].cells[1], group ? text.share(now) : now > 0 ? text.yes : text.no));
@@ -93,6 +93,6 @@ function said({ from, wanted, equals, goto, goto_probability: likely, set }) {
     ...part(text.parts.from, from.join(' · ')),
     ...part(equals ? text.parts.when : text.parts.unless, tests),
     ...part(text.parts.goto, text.likely(goto, likely)),
-    ...(set ? part(text.parts.set, text.likely(...set)) : []),
+    ...(set ? part(text.parts.set, text.likely(set[0].replace(',', ' ='), set[1])) : []),
   );
 }

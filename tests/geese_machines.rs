@@ -306,7 +306,7 @@ fn saved_machines_run_again_but_cannot_be_blended() {
     let mut again = fixed(PopulationForm::Homogeneous).expect("it builds");
     (0..10).for_each(|_| again.step());
     assert_eq!(asked(&mut again, &Query::default())["programs"]["count"], 1);
-    let refused = fixed(PopulationForm::Blended).err().expect("machines have no root to stand under");
+    let refused = fixed(PopulationForm::Blended).expect_err("machines have no root to stand under");
     assert_eq!(refused, ("population", "expected behaviour trees to blend, found state machines".to_owned()));
 }
 

@@ -77,7 +77,7 @@ impl Breeder {
     /// Breeds from the pool and the agent's own genome; returns the most diverse of elite and children, the first of
     /// equal ones, or `None` when there is no elite and every child maps to nothing. With tournament selection it returns
     /// the winner of a tournament by fitness: a child has not run yet, so it is given the mean of its parents' (our choice:
-    /// anything less would let no child win, anything more no elite).
+    /// what is untried is neither favoured nor barred).
     ///
     /// - `own`: the agent's mind; it stands last in the pool.
     /// - `stored`: the agent's storage, to which the pool's [`Source::Stored`] points.

@@ -4,8 +4,8 @@ use super::controller::Controller;
 use super::inspect::{ShownNode, shown_nodes};
 use super::language::Token;
 use super::program::{Compiler, Sentences, needs_root};
-use super::rules;
 use super::showmachine::ShownMachine;
+use super::words::{self, Section};
 use crate::evolution::{AlternativeId, Derivation, Genome, Invalid, Mapper, RuleId, TerminalId};
 use serde::Serialize;
 
@@ -129,7 +129,7 @@ fn nodes_of_terminals(sentences: &Sentences, terminals: &[TerminalId]) -> Vec<Op
             for terminal in terminals {
                 before.push(nodes.len());
                 for token in &rules.tokens[usize::from(terminal.0)] {
-                    begun += u32::from(*token == rules::Token::Open(rules::Section::From));
+                    begun += u32::from(*token == words::Token::Open(Section::From));
                     nodes.push(begun.saturating_sub(1));
                 }
             }

@@ -77,7 +77,7 @@ impl Category {
     }
 }
 
-/// Why a grammar does not write trees, or machines, with the place of the fault.
+/// Why a grammar writes neither trees nor machines, with the place of the fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LanguageError {
     pub(super) place: Place,

@@ -1,5 +1,8 @@
 //! The grid world in which a swarm forages while each agent evolves its own behaviour tree (BeTr-GEESE).
 //!
+//! The family's first algorithm, GEESE, evolved state machines: a controller is a tree or a machine, by what the grammar
+//! writes.
+//!
 //! Paper: BeTr-GEESE, Cells2Societies workshop, ICLR 2022. Each agent carries a genome; a grammar maps it to a tree;
 //! agents that meet exchange genomes; one with enough of them breeds and takes up the most diverse child.
 //!
@@ -31,6 +34,7 @@ mod schema;
 mod showmachine;
 mod variety;
 mod visited;
+mod words;
 mod world;
 
 pub use controller::{Controller, Planted};

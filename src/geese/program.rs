@@ -3,8 +3,9 @@
 use super::controller::Controller;
 use super::language::{Language, LanguageError, Token};
 use super::leaf::{Leaf, Name, Object, Tag};
-use super::rules::{self, Rules, writes_machines};
+use super::rules::{Rules, writes_machines};
 use super::variety::most_names;
+use super::words;
 use crate::bt::{Builder, Kind, Tree};
 use crate::evolution::{
     AlternativeId, Derivation, Genome, Grammar, GrammarError, Invalid, Limits, Mapper, Mutating, RuleId, Symbol,
@@ -75,7 +76,7 @@ impl Sentences {
                 .fold(0, |set, token| set | bit(if let Token::Name(name) = token { Some(*name) } else { None })),
             Self::Machines(rules) => rules.tokens[id]
                 .iter()
-                .fold(0, |set, token| set | bit(if let rules::Token::Name(name) = token { Some(*name) } else { None })),
+                .fold(0, |set, token| set | bit(if let words::Token::Name(name) = token { Some(*name) } else { None })),
         }
     }
 }

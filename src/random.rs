@@ -1,5 +1,6 @@
 //! Random streams: every purpose draws from its own, so a new consumer never shifts another.
 
+use rand::distr::Bernoulli;
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
 
@@ -70,6 +71,14 @@ fn mix(value: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     z ^ (z >> 31)
+}
+
+/// True with that probability; never for what is no number from 0 to 1.
+///
+/// Draws as `rand`'s `random_bool` does, whose message for a wrong probability would bring all that formats reals into
+/// the wasm: a twentieth of it.
+pub fn chance(rng: &mut Stream, probability: f64) -> bool {
+    Bernoulli::new(probability).is_ok_and(|coin| rng.sample(coin))
 }
 
 /// One draw from the standard normal distribution, by the polar method (no sine or cosine).

@@ -5,7 +5,7 @@ use super::mind::{Entry, Mind};
 use super::params::{CrossoverMode, GenomeSelection, MutationMode, Params, ParentSelection};
 use super::program::{Compiler, Survey};
 use crate::evolution::{Genome, Mutation, fittest, fixed_one_point, tournament, variable_one_point};
-use crate::random::Stream;
+use crate::random::{Stream, chance};
 use rand::RngExt;
 
 /// Where a genome of the pool lies.
@@ -151,7 +151,7 @@ impl Breeder {
             let [a, b] = pair.map(genome_of);
             let inherited = pair.iter().map(|&parent| fitness[parent as usize]).sum::<f64>() / 2.0;
             let [first, second] = &mut *children;
-            if rng.random_bool(params.crossover_probability) {
+            if chance(rng, params.crossover_probability) {
                 let crossover = match params.crossover_mode {
                     CrossoverMode::VariableOnePoint => variable_one_point,
                     CrossoverMode::FixedOnePoint => fixed_one_point,

@@ -9,8 +9,7 @@
 
 use super::leaf::{Leaf, Name, Object, Tag};
 use crate::fingerprint::Fingerprint;
-use crate::random::Stream;
-use rand::RngExt;
+use crate::random::{Stream, chance};
 use std::fmt;
 
 /// The names of the two variables, which are false at the start.
@@ -140,11 +139,11 @@ impl Machine {
         }
         if let Some(at) = self.rules.iter().position(|rule| rule.fits(self.state, holds)) {
             let rule = &self.rules[at];
-            if luck.random_bool(rule.goto_probability) {
+            if chance(luck, rule.goto_probability) {
                 self.state = rule.goto;
             }
             if let Some(set) = rule.set
-                && luck.random_bool(set.probability)
+                && chance(luck, set.probability)
             {
                 let bit = variable_bit(set.variable);
                 holds = if set.value { holds | bit } else { holds & !bit };
@@ -237,8 +236,10 @@ impl Machine {
     pub fn rule_text(&self, rule: &Rule) -> String {
         let (from, wanted) = (self.from(rule).join(" "), self.wanted(rule).join(" "));
         let wanted = if wanted.is_empty() { "-" } else { &wanted };
-        let (equals, likely, goto) = (rule.equals, rule.goto_probability, self.states[usize::from(rule.goto)]);
-        let set = Self::setting(rule).map(|(what, likely)| format!(" Set({what}, {likely})")).unwrap_or_default();
+        let (equals, goto) = (rule.equals, self.states[usize::from(rule.goto)]);
+        let likely = decimal(rule.goto_probability);
+        let set =
+            Self::setting(rule).map(|(what, likely)| format!(" Set({what}, {})", decimal(likely))).unwrap_or_default();
         format!("From({from}) If({wanted} equals {equals}) Goto({likely}, {goto}){set}")
     }
 }
@@ -252,6 +253,13 @@ impl fmt::Display for Machine {
         }
         Ok(())
     }
+}
+
+/// A probability with as many of its six decimals as it needs.
+fn decimal(probability: f64) -> String {
+    let millionths = (probability * 1e6 + 0.5) as u32;
+    let digits = format!("{}.{:06}", millionths / 1_000_000, millionths % 1_000_000);
+    digits.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 fn place_of(list: &mut Vec<Leaf>, leaf: Leaf) -> u8 {

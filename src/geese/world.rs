@@ -13,7 +13,7 @@ use super::visited::Visited;
 use crate::bt::{Status, tick_once};
 use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
-use crate::random::{Purpose, Seed, Stream, stream};
+use crate::random::{Purpose, Seed, Stream, chance, stream};
 use rand::RngExt;
 use serde::Serialize;
 use std::sync::Arc;
@@ -395,7 +395,7 @@ impl State {
             return;
         }
         let mind = &mut self.minds[agent as usize];
-        near.retain(|_| mind.evolution.random_bool(params.interaction_probability));
+        near.retain(|_| chance(&mut mind.evolution, params.interaction_probability));
         let again = params.storage_content == StorageContent::Meetings;
         let entries = mind.storage.entries();
         let replaced = entries.iter().filter(|entry| !again && near.contains(entry.donor)).count();

@@ -76,7 +76,7 @@ fn mix(value: u64) -> u64 {
 /// True with that probability; never for what is no number from 0 to 1.
 ///
 /// Draws as `rand`'s `random_bool` does, whose message for a wrong probability would bring all that formats reals into
-/// the wasm: a twentieth of it.
+/// the wasm: ten kilobytes as it is sent.
 pub fn chance(rng: &mut Stream, probability: f64) -> bool {
     Bernoulli::new(probability).is_ok_and(|coin| rng.sample(coin))
 }

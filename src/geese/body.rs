@@ -207,7 +207,8 @@ impl<'a> Actor<'a> {
         self.moved = true;
         let half = self.field.half;
         let wanted = [0, 1].map(|axis| self.position[axis] + self.body.heading[axis] * self.params.step_length);
-        let reached = wanted.map(|value| value.clamp(-half, half));
+        // Not clamp: its panic message would bring all that formats reals into the wasm.
+        let reached = wanted.map(|value| value.max(-half).min(half));
         if self.field.obstacles.iter().any(|disc| disc.meets(self.position, reached)) {
             return false;
         }

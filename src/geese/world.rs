@@ -267,8 +267,9 @@ impl World {
         state.turns = population.turns(params, &mut breeder.compiler).into();
         (state.field, state.bodies, state.alive) = (field, bodies(params, seed), params.agents);
         for (id, dealt) in (0..).zip(dealt) {
-            let [genesis, evolution] = [Purpose::Genesis, Purpose::Evolution].map(|purpose| stream(seed, purpose, id));
-            if let Some(mind) = new_mind(breeder, params, genesis, evolution, Some(dealt)) {
+            let [genesis, evolution, luck] =
+                [Purpose::Genesis, Purpose::Evolution, Purpose::Luck].map(|purpose| stream(seed, purpose, id));
+            if let Some(mind) = new_mind(breeder, params, genesis, [evolution, luck], Some(dealt)) {
                 state.minds[id as usize] = Mind { since: state.tick, ..mind };
             }
         }
@@ -446,7 +447,7 @@ impl State {
     /// Gives the agent another program of the fixed population, once in a while.
     fn turn_to_another(&mut self, params: &Params, breeder: &mut Breeder, agent: u32) {
         let mind = &mut self.minds[agent as usize];
-        if mind.evolution.random_bool(1.0 / params.dwell) {
+        if chance(&mut mind.evolution, 1.0 / params.dwell) {
             let Known { genome, diversity } =
                 &self.turns[mind.evolution.random_range(0..self.turns.len() as u32) as usize];
             mind.genome.clone_from(genome);

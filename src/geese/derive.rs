@@ -70,7 +70,7 @@ impl Derived {
             used: steps.len(),
             depth,
             phenotype: survey.map(|_| program_text(&tree)),
-            diversity: survey.map(|survey| compiler.diversity(survey.names)),
+            diversity: survey.map(|survey| survey.diversity),
             steps,
             nodes: survey.map(|_| shown_nodes(&tree)),
         }
@@ -124,8 +124,8 @@ fn nodes_of_tokens(tokens: &[Token]) -> Vec<u32> {
                 pending_leaf = None;
                 next - 1
             }
-            // A closing tag or an argument belongs to the leaf just read.
-            Token::Object(_) | Token::CloseTag => next.saturating_sub(1),
+            // A closing tag, an argument or a manner belongs to the leaf just read.
+            Token::Object(_) | Token::Manner(_) | Token::CloseTag => next.saturating_sub(1),
         };
         debug_assert_eq!(nodes.len(), index);
         nodes.push(node);

@@ -40,6 +40,9 @@ struct Place {
     x: f64,
     y: f64,
     radius: f64,
+    /// Lower left and upper right corner where places are cells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    square: Option<[[f64; 2]; 2]>,
 }
 
 const COUNTS: &[&str] = &["tick", "delivered", "carried", "free", "items", "programs", "swaps", "alive"];
@@ -69,11 +72,15 @@ impl Layout {
         let agents = block(COUNTS.len(), world.params().agents as usize, AGENT);
         let items = block(agents.offset + agents.count * agents.stride, world.params().item_count() as usize, ITEM);
         let field = &world.state().field;
-        let place = |kind, disc: Disc| Place { kind, x: disc.centre[0], y: disc.centre[1], radius: disc.radius };
+        let place = |kind, disc: Disc| {
+            let ([x, y], square) = (disc.centre, field.lattice.square(&disc));
+            Place { kind, x, y, radius: disc.radius, square }
+        };
         let mut places = vec![place("hub", field.hub)];
-        if field.task == Task::Nest {
-            places.push(place("boundary", field.inside));
+        if field.task == Task::Nest && field.sinks.is_empty() {
+            places.push(Place { square: None, ..place("boundary", field.inside) });
         }
+        places.extend(field.sinks.iter().map(|disc| place("boundary", *disc)));
         places.extend(field.sites.iter().map(|disc| place("site", *disc)));
         places.extend(field.obstacles.iter().map(|disc| place("obstacle", *disc)));
         places.extend(field.traps.iter().map(|disc| place("trap", *disc)));
@@ -111,7 +118,7 @@ pub fn fill_frame(world: &World, frame: &mut Vec<f32>) {
             state.tick,
             delivered,
             carried,
-            items - delivered - carried,
+            items - delivered - carried - field.lost(),
             items,
             state.program_count(),
             state.swaps,

@@ -89,16 +89,24 @@ impl Grid {
     #[inline]
     pub fn near(&self, place: [f64; 2], radius: f64, mut found: impl FnMut(u32, f64)) {
         let within = radius * radius;
-        let (left, right) = (self.axis(place[0] - radius), self.axis(place[0] + radius));
-        let (bottom, top) = (self.axis(place[1] - radius), self.axis(place[1] + radius));
+        self.in_box([place.map(|value| value - radius), place.map(|value| value + radius)], |id, point| {
+            let distance = squared_distance(point, place);
+            if distance <= within {
+                found(id, distance);
+            }
+        });
+    }
+
+    /// Calls `found` with id and place of every point between two corners, and of some beyond; in no useful order.
+    #[inline]
+    pub fn in_box(&self, [low, high]: [[f64; 2]; 2], mut found: impl FnMut(u32, [f64; 2])) {
+        let (left, right) = (self.axis(low[0]), self.axis(high[0]));
+        let (bottom, top) = (self.axis(low[1]), self.axis(high[1]));
         for row in bottom..=top {
             for cell in row * self.side + left..=row * self.side + right {
                 let mut id = self.heads[cell as usize];
                 while id != NONE {
-                    let distance = squared_distance(self.points[id as usize], place);
-                    if distance <= within {
-                        found(id, distance);
-                    }
+                    found(id, self.points[id as usize]);
                     id = self.next[id as usize];
                 }
             }

@@ -16,14 +16,17 @@ mod grammars;
 mod grid;
 mod inspect;
 mod language;
+mod lattice;
 mod leaf;
 mod measure;
 mod mind;
 mod near;
 mod params;
 mod population;
+mod profiles;
 mod program;
 mod schema;
+mod switches;
 mod variety;
 mod visited;
 mod world;
@@ -34,7 +37,7 @@ pub use frame::{Layout, fill_frame};
 pub use grammars::grammar_text;
 pub use inspect::{Detail, Query};
 pub use language::LanguageError;
-pub use leaf::{Leaf, Name, Object, Tag, Takes};
+pub use leaf::{Leaf, Manner, Name, Object, Tag, Takes};
 pub use measure::{Measure, is_inert};
 pub use params::{
     Activation, Behaviours, CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, ItemPlacement,
@@ -44,4 +47,9 @@ pub use params::{
 pub use population::{Dealt, Member, Population};
 pub use program::{Compiler, CompilerError, Survey, program_text};
 pub use schema::parameters;
+pub use switches::{
+    AvoidRule, Blackboard, DiversityRule, DropPostcondition, EdgeRule, EliteRank, ExplorationRule, FeedbackRule,
+    FitnessRule, Footprint, Init, InitialMemory, LengthRule, MoveAwayPostcondition, Neighbours, NestSink, PerceptWipe,
+    PopulationPool, Rounding, Sensing, SitePlacement, StepRule, StorageValue,
+};
 pub use world::{Finished, Outcome, SAMPLE_EVERY, Sample, State, World};

@@ -2,7 +2,8 @@
 
 use super::leaf::Leaf;
 use super::params::{Params, PopulationForm};
-use super::program::{Compiler, placeholder};
+use super::program::{Compiler, placeholder, program_id};
+use super::switches::PopulationPool;
 use super::world::World;
 use crate::bt::{Builder, Kind, NodeId, Tree};
 use crate::random::{Purpose, Seed, stream};
@@ -82,21 +83,34 @@ impl Population {
         Ok(Self { members: members.collect::<Result<_, String>>()? })
     }
 
-    /// The members that take part, fittest first; of equally fit ones the earlier first.
+    /// Keeps the members that take part, fittest first; of equally fit ones the earlier first.
     ///
-    /// Source: BeTr-GEESE, sections 5.1 to 5.3.
-    fn chosen(&self, params: &Params) -> Vec<&Member> {
-        let mut sorted: Vec<&Member> = self.members.iter().collect();
-        sorted.sort_by(|a, b| b.fitness.total_cmp(&a.fitness));
-        let count = match params.population_form {
-            PopulationForm::AsSaved => return self.members.iter().collect(),
-            PopulationForm::Homogeneous => 1,
-            PopulationForm::Heterogeneous | PopulationForm::Blended => {
-                ((sorted.len() as f64 * params.population_share) as usize).max(1)
+    /// Source: BeTr-GEESE, sections 5.1 to 5.3. The authors' code takes a share of the different programs, of which it
+    /// keeps as many as there are agents, and rounds it to the nearest whole number.
+    fn choose(params: &Params, members: &mut Vec<(&Member, Tree<Leaf>)>) {
+        if params.population_form == PopulationForm::AsSaved {
+            return;
+        }
+        members.sort_by(|a, b| b.0.fitness.total_cmp(&a.0.fitness));
+        let share = params.population_share;
+        let part = match params.population_pool {
+            PopulationPool::Agents => members.len() as f64 * share,
+            PopulationPool::Programs => {
+                let mut seen = Vec::new();
+                members.retain(|(_, tree)| {
+                    let id = program_id(tree);
+                    let is_new = !seen.contains(&id);
+                    seen.push(id);
+                    is_new
+                });
+                libm::rint(members.len().min(params.agents as usize) as f64 * share)
             }
         };
-        sorted.truncate(count);
-        sorted
+        members.truncate(if params.population_form == PopulationForm::Homogeneous {
+            1
+        } else {
+            (part as usize).max(1)
+        });
     }
 
     /// The controller of each agent: codons and tree. Members are dealt out in turns; a blended agent has them all
@@ -108,35 +122,34 @@ impl Population {
     /// # Errors
     /// The member whose genome maps to no program of the compiler's grammar.
     pub fn deal(&self, params: &Params, seed: Seed, compiler: &mut Compiler) -> Result<Vec<Dealt>, String> {
-        let chosen = self.chosen(params);
-        let mut trees = Vec::with_capacity(chosen.len());
-        for member in &chosen {
+        let mut chosen = Vec::with_capacity(self.members.len());
+        for (index, member) in self.members.iter().enumerate() {
             let mut tree = placeholder();
             compiler.compile(&member.genome, &mut tree).map_err(|_| {
-                let index = self.members.iter().position(|other| std::ptr::eq(other, *member)).unwrap_or(0);
                 format!("members[{index}].genome: expected codons of a program of the grammar, found none")
             })?;
-            trees.push(tree);
+            chosen.push((member, tree));
         }
+        Self::choose(params, &mut chosen);
         let agents = 0..params.agents;
         Ok(match params.population_form {
             PopulationForm::Blended => agents
                 .map(|agent| {
-                    let mut order: Vec<usize> = (0..trees.len()).collect();
+                    let mut order: Vec<usize> = (0..chosen.len()).collect();
                     let mut rng = stream(seed, Purpose::Genesis, agent);
                     for last in (1..order.len() as u32).rev() {
                         order.swap(last as usize, rng.random_range(0..=last) as usize);
                     }
                     Dealt {
-                        codons: chosen[order[0]].genome.clone(),
-                        tree: blend(order.iter().map(|&index| &trees[index])),
+                        codons: chosen[order[0]].0.genome.clone(),
+                        tree: blend(order.iter().map(|&index| &chosen[index].1)),
                     }
                 })
                 .collect(),
             _ => agents
                 .map(|agent| {
                     let index = agent as usize % chosen.len();
-                    Dealt { codons: chosen[index].genome.clone(), tree: trees[index].clone() }
+                    Dealt { codons: chosen[index].0.genome.clone(), tree: chosen[index].1.clone() }
                 })
                 .collect(),
         })

@@ -8,6 +8,7 @@ use super::near::Near;
 use super::params::{Activation, Params, StorageContent, SwapRule, Task};
 use super::population::{Dealt, Population};
 use super::program::{Compiler, placeholder};
+use super::switches::{ExplorationRule, FitnessRule, Neighbours, StorageValue};
 use super::visited::Visited;
 use crate::bt::{Memory, tick_once};
 use crate::evolution::Genome;
@@ -114,7 +115,7 @@ impl World {
         let mut breeder = Breeder::new(params.check()?, params);
         let field = Field::new(params, seed)?;
         let agents = 0..params.agents;
-        let bodies = agents.clone().map(|id| Body::new(stream(seed, Purpose::Walk, id))).collect();
+        let bodies = agents.clone().map(|id| Body::new(params, &field, stream(seed, Purpose::Walk, id))).collect();
         let mut dealt = Vec::new();
         if !params.population.trim().is_empty() {
             let population = Population::read(&params.population);
@@ -182,7 +183,7 @@ impl World {
     pub fn outcome(&self) -> Outcome {
         let (delivered, items) = (self.state.field.delivered(), self.params.item_count());
         let share = f64::from(delivered) / f64::from(items);
-        let finished = if delivered == items {
+        let finished = if delivered + self.state.field.lost() == items {
             Some(match self.params.task {
                 Task::Forage => Finished::AllDelivered,
                 Task::Nest => Finished::AllRemoved,
@@ -277,8 +278,9 @@ fn new_mind(
         program,
         since: 0,
         swaps: 0,
-        diversity: breeder.compiler.diversity(survey.names),
+        diversity: survey.diversity,
         fitness: 0.0,
+        last: [0.0; 2],
         feedback: 0,
         visited: Visited::new(params.arena_size),
         storage: Storage::default(),
@@ -304,59 +306,90 @@ impl State {
     ///
     /// Source: BeTr-GEESE, section 4.6, "Blending Fitness Types". E counts the distinct unit squares visited since the
     /// program was taken up (our reading of "unique world locations"); prospective fitness counts the item carried (the
-    /// paper gives no formula); task fitness counts the items that the whole swarm has brought where they belong.
+    /// paper gives no formula); task fitness counts the items that the whole swarm has brought where they belong. The
+    /// authors' code adds a tenth of the last fitness of the program before, in place of the sum so far.
     fn tick_program(&mut self, params: &Params, agent: u32) {
         let mind = &mut self.minds[agent as usize];
         let Program { tree, memory, trace, .. } = &mut mind.program;
-        let mut feedback = Feedback::new(tree, trace, self.tick);
+        let mut feedback = Feedback::new(tree, trace, self.tick, params.bt_feedback);
         let mut actor = Actor::new(params, &mut self.field, &mut self.bodies[agent as usize], agent);
         let ticked = tick_once(tree, memory, &mut actor, &mut feedback);
         debug_assert!(ticked.is_ok(), "evolved trees have no node whose tick can fail");
-        mind.feedback = feedback.sum;
-        mind.visited.mark(self.field.agents.point(agent));
+        let feedback = feedback.sum;
+        mind.feedback = feedback;
+        let point = self.field.agents.point(agent);
+        match params.exploration {
+            ExplorationRule::Squares => mind.visited.mark(point),
+            ExplorationRule::Cells => mind.visited.mark_square(self.field.lattice.number(point)),
+        }
         let carrying = self.bodies[agent as usize].load.is_some();
         let types = [
             (params.fitness_diversity, mind.diversity),
-            (params.fitness_exploration, mind.visited.count() as f64),
-            (params.fitness_feedback, f64::from(feedback.sum)),
+            (params.fitness_exploration, f64::from(mind.exploration(params.exploration))),
+            (params.fitness_feedback, f64::from(feedback)),
             (params.fitness_prospective, f64::from(u8::from(carrying))),
             (params.fitness_task, f64::from(self.field.delivered())),
         ];
         let sum: f64 = types.iter().map(|(counts, value)| if *counts { *value } else { 0.0 }).sum();
-        mind.fitness = params.fitness_memory * mind.fitness + sum;
+        let remembered = match params.fitness {
+            FitnessRule::Recurrence => mind.fitness,
+            FitnessRule::Delayed => mind.last[0],
+        };
+        mind.fitness = params.fitness_memory * remembered + sum;
     }
 
     /// Sense, act and update: takes copies of the neighbours' genomes, and breeds when it has enough of them.
     ///
     /// Source: BeTr-GEESE, section 3. Our choices: neighbours are the agents within the sensing radius, and a stored
-    /// genome keeps the fitness it had when it was taken.
+    /// genome keeps the fitness it had when it was taken. In the authors' code an agent meets its cell mates and itself,
+    /// two at least, stored fitness is live, and one that gets nowhere breeds with ten random genomes.
     fn meet(&mut self, params: &Params, breeder: &mut Breeder, near: &mut Near, agent: u32) {
         let place = self.field.agents.point(agent);
         near.clear();
-        self.field.agents.near(place, params.sense_radius, |other, _| near.add(other));
-        near.remove(agent);
-        if near.is_empty() {
+        match params.neighbours {
+            Neighbours::Radius => {
+                self.field.agents.near(place, params.sense_radius, |other, _| near.add(other));
+                near.remove(agent);
+            }
+            Neighbours::Cell => self.field.in_cell(&self.field.agents, place, |other| near.add(other)),
+        }
+        if near.is_empty() && params.stagnation == 0 {
             return;
+        }
+        if params.storage_value == StorageValue::Live {
+            let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
+            storage.refresh(&self.minds);
+            self.minds[agent as usize].storage = storage;
         }
         let mind = &mut self.minds[agent as usize];
         near.retain(|_| mind.evolution.random_bool(params.interaction_probability));
+        if params.neighbours == Neighbours::Cell && near.ids().len() < 2 {
+            near.clear();
+        }
         let again = params.storage_content == StorageContent::Meetings;
         let entries = mind.storage.entries();
         let replaced = entries.iter().filter(|entry| !again && near.contains(entry.donor)).count();
         let stored = entries.len() + near.ids().len() - replaced;
-        if stored > params.storage_threshold as usize {
-            self.evolve(params, breeder, near, agent);
+        let is_full = stored > params.storage_threshold as usize;
+        let is_stuck = params.stagnation > 0
+            && self.tick - mind.since > params.stagnation
+            && mind.exploration(params.exploration) < 2;
+        if is_full || is_stuck {
+            self.evolve(params, breeder, near, agent, !is_full);
             return;
         }
+        let live = params.storage_value == StorageValue::Live;
         let mut storage = std::mem::take(&mut mind.storage);
         for &donor in near.ids() {
-            storage.store(donor, &self.minds[donor as usize], again);
+            storage.store(donor, &self.minds[donor as usize], again, live);
         }
         self.minds[agent as usize].storage = storage;
     }
 
     /// Breeds from the storage and those just met, and takes up the best child if the swap rule lets it.
-    fn evolve(&mut self, params: &Params, breeder: &mut Breeder, met: &Near, agent: u32) {
+    ///
+    /// - `stuck`: whether it breeds with random genomes too.
+    fn evolve(&mut self, params: &Params, breeder: &mut Breeder, met: &Near, agent: u32, stuck: bool) {
         let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
         let mut rng = self.minds[agent as usize].evolution.clone();
         let again = params.storage_content == StorageContent::Meetings;
@@ -367,7 +400,15 @@ impl State {
         }));
         let is_stored = |donor: u32| !again && entries.iter().any(|entry| entry.donor == donor);
         breeder.pool.extend(met.ids().iter().filter(|&&donor| !is_stored(donor)).map(|&donor| Source::Met(donor)));
-
+        if stuck {
+            let mut genome = Genome::default();
+            for _ in 0..10 {
+                if let Some(survey) = breeder.genesis(params, &mut rng, &mut genome) {
+                    breeder.pool.push(Source::Stored(storage.entries().len() as u32));
+                    storage.add_fresh(agent, survey.diversity, &genome);
+                }
+            }
+        }
         let own = &self.minds[agent as usize];
         let best = breeder.breed(params, &mut rng, own, storage.entries(), &self.minds);
         storage.clear();
@@ -380,6 +421,9 @@ impl State {
         if let Some(Best { genome, diversity }) = winner {
             mind.genome.clone_from(genome);
             mind.diversity = diversity;
+            if params.fitness == FitnessRule::Delayed || params.storage_value == StorageValue::Live {
+                mind.last = [mind.fitness, mind.last[0]];
+            }
             mind.fitness = 0.0;
             mind.visited.clear();
             mind.since = self.tick;

@@ -203,7 +203,13 @@ fn guess(grammar: &Grammar, alternative: AlternativeId, known: &[Option<Category
                         _ => matches!(after.last(), Some(Token::Manner(_))),
                     };
                     let argument = argument + usize::from(name.moves() && says_how);
-                    Some(if after.len() + rest.len() <= argument { Category::Call } else { Category::Nodes })
+                    // Between two arguments stands a blank.
+                    let is_blank = |(symbol, _): &&(Symbol, Place)| match symbol {
+                        Symbol::Terminal(id) => grammar.terminals()[usize::from(id.0)].trim().is_empty(),
+                        Symbol::NonTerminal(_) => false,
+                    };
+                    let words = rest.len() - rest.iter().filter(is_blank).count();
+                    Some(if after.len() + words <= argument { Category::Call } else { Category::Nodes })
                 }
                 _ => Some(Category::Nodes),
             }

@@ -458,46 +458,7 @@ impl Params {
                 put_word(&mut self.swap_rule, &[SwapRule::Greater, SwapRule::NotSmaller, SwapRule::Always], value)
             }
             "fitness-memory" => value.as_f64().is_some_and(|real| put(&mut self.fitness_memory, real)),
-            "site-placement" => put_word(&mut self.site_placement, &[SitePlacement::Ring, SitePlacement::Fixed], value),
-            "nest-sink" => put_word(&mut self.nest_sink, &[NestSink::Ring, NestSink::Cells], value),
-            "footprint" => put_word(&mut self.footprint, &[Footprint::Disc, Footprint::Cells], value),
-            "edge-rule" => put_word(&mut self.edge_rule, &[EdgeRule::Clamp, EdgeRule::Bounce], value),
-            "rounding" => put_word(&mut self.rounding, &[Rounding::None, Rounding::Nearest, Rounding::Truncate], value),
-            "step-rule" => put_word(&mut self.step_rule, &[StepRule::Constant, StepRule::ByLoad], value),
-            "avoid-rule" => put_word(&mut self.avoid_rule, &[AvoidRule::Tangent, AvoidRule::Box], value),
-            "sensing" => put_word(&mut self.sensing, &[Sensing::Disc, Sensing::Cell], value),
-            "initial-memory" => {
-                put_word(&mut self.initial_memory, &[InitialMemory::All, InitialMemory::FirstBoundary], value)
-            }
-            "blackboard" => put_word(&mut self.blackboard, &[Blackboard::Private, Blackboard::Shared], value),
-            "percept-wipe" => put_word(&mut self.percept_wipe, &[PerceptWipe::Tick, PerceptWipe::Sense], value),
-            "moveaway-postcondition" => put_word(
-                &mut self.moveaway_postcondition,
-                &[MoveAwayPostcondition::NotSensed, MoveAwayPostcondition::Sensed],
-                value,
-            ),
-            "drop-postcondition" => put_word(
-                &mut self.drop_postcondition,
-                &[DropPostcondition::NotCarrying, DropPostcondition::None],
-                value,
-            ),
-            "population-pool" => {
-                put_word(&mut self.population_pool, &[PopulationPool::Agents, PopulationPool::Programs], value)
-            }
-            "init" => put_word(&mut self.init, &[Init::RandomBits, Init::DerivationTree], value),
-            "neighbours" => put_word(&mut self.neighbours, &[Neighbours::Radius, Neighbours::Cell], value),
-            "storage-value" => put_word(&mut self.storage_value, &[StorageValue::Copied, StorageValue::Live], value),
-            "stagnation" => put_whole(&mut self.stagnation, value),
-            "own-in-pool" => value.as_bool().is_some_and(|on| put(&mut self.own_in_pool, on)),
-            "elite-rank" => put_word(&mut self.elite_rank, &[EliteRank::Diversity, EliteRank::Fitness], value),
-            "length-rule" => put_word(&mut self.length_rule, &[LengthRule::Cut, LengthRule::Redraw], value),
-            "fitness" => put_word(&mut self.fitness, &[FitnessRule::Recurrence, FitnessRule::Delayed], value),
-            "diversity" => put_word(&mut self.diversity, &[DiversityRule::Names, DiversityRule::Leaves], value),
-            "exploration" => {
-                put_word(&mut self.exploration, &[ExplorationRule::Squares, ExplorationRule::Cells], value)
-            }
-            "bt-feedback" => put_word(&mut self.bt_feedback, &[FeedbackRule::Tags, FeedbackRule::Selectors], value),
-            _ => false,
+            _ => self.set_switch(name, value),
         }
     }
 
@@ -514,17 +475,17 @@ impl Params {
     }
 }
 
-fn put<T>(field: &mut T, value: T) -> bool {
+pub fn put<T>(field: &mut T, value: T) -> bool {
     *field = value;
     true
 }
 
-fn put_whole<T: TryFrom<u64>>(field: &mut T, value: &Value) -> bool {
+pub fn put_whole<T: TryFrom<u64>>(field: &mut T, value: &Value) -> bool {
     value.as_u64().and_then(|whole| T::try_from(whole).ok()).is_some_and(|whole| put(field, whole))
 }
 
 /// Sets a field to the one of `all` that is written as `value`.
-fn put_word<T: Copy + Serialize>(field: &mut T, all: &[T], value: &Value) -> bool {
+pub fn put_word<T: Copy + Serialize>(field: &mut T, all: &[T], value: &Value) -> bool {
     let found = all.iter().find(|word| serde_json::to_value(word).is_ok_and(|written| written == *value));
     found.is_some_and(|word| put(field, *word))
 }

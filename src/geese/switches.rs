@@ -1,6 +1,8 @@
 //! The switches between the paper's text and the authors' published code; `profiles.rs` lists them row by row.
 
+use super::params::{Params, put, put_whole, put_word};
 use serde::Serialize;
+use serde_json::Value;
 
 /// The ground that a place takes up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -232,4 +234,52 @@ pub enum PopulationPool {
     Agents,
     /// The different programs.
     Programs,
+}
+
+impl Params {
+    /// As [`Params::set`], for the switches of this file.
+    pub fn set_switch(&mut self, name: &str, value: &Value) -> bool {
+        match name {
+            "site-placement" => put_word(&mut self.site_placement, &[SitePlacement::Ring, SitePlacement::Fixed], value),
+            "nest-sink" => put_word(&mut self.nest_sink, &[NestSink::Ring, NestSink::Cells], value),
+            "footprint" => put_word(&mut self.footprint, &[Footprint::Disc, Footprint::Cells], value),
+            "edge-rule" => put_word(&mut self.edge_rule, &[EdgeRule::Clamp, EdgeRule::Bounce], value),
+            "rounding" => put_word(&mut self.rounding, &[Rounding::None, Rounding::Nearest, Rounding::Truncate], value),
+            "step-rule" => put_word(&mut self.step_rule, &[StepRule::Constant, StepRule::ByLoad], value),
+            "avoid-rule" => put_word(&mut self.avoid_rule, &[AvoidRule::Tangent, AvoidRule::Box], value),
+            "sensing" => put_word(&mut self.sensing, &[Sensing::Disc, Sensing::Cell], value),
+            "initial-memory" => {
+                put_word(&mut self.initial_memory, &[InitialMemory::All, InitialMemory::FirstBoundary], value)
+            }
+            "blackboard" => put_word(&mut self.blackboard, &[Blackboard::Private, Blackboard::Shared], value),
+            "percept-wipe" => put_word(&mut self.percept_wipe, &[PerceptWipe::Tick, PerceptWipe::Sense], value),
+            "moveaway-postcondition" => put_word(
+                &mut self.moveaway_postcondition,
+                &[MoveAwayPostcondition::NotSensed, MoveAwayPostcondition::Sensed],
+                value,
+            ),
+            "drop-postcondition" => put_word(
+                &mut self.drop_postcondition,
+                &[DropPostcondition::NotCarrying, DropPostcondition::None],
+                value,
+            ),
+            "population-pool" => {
+                put_word(&mut self.population_pool, &[PopulationPool::Agents, PopulationPool::Programs], value)
+            }
+            "init" => put_word(&mut self.init, &[Init::RandomBits, Init::DerivationTree], value),
+            "neighbours" => put_word(&mut self.neighbours, &[Neighbours::Radius, Neighbours::Cell], value),
+            "storage-value" => put_word(&mut self.storage_value, &[StorageValue::Copied, StorageValue::Live], value),
+            "stagnation" => put_whole(&mut self.stagnation, value),
+            "own-in-pool" => value.as_bool().is_some_and(|on| put(&mut self.own_in_pool, on)),
+            "elite-rank" => put_word(&mut self.elite_rank, &[EliteRank::Diversity, EliteRank::Fitness], value),
+            "length-rule" => put_word(&mut self.length_rule, &[LengthRule::Cut, LengthRule::Redraw], value),
+            "fitness" => put_word(&mut self.fitness, &[FitnessRule::Recurrence, FitnessRule::Delayed], value),
+            "diversity" => put_word(&mut self.diversity, &[DiversityRule::Names, DiversityRule::Leaves], value),
+            "exploration" => {
+                put_word(&mut self.exploration, &[ExplorationRule::Squares, ExplorationRule::Cells], value)
+            }
+            "bt-feedback" => put_word(&mut self.bt_feedback, &[FeedbackRule::Tags, FeedbackRule::Selectors], value),
+            _ => false,
+        }
+    }
 }

@@ -6,6 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use swarm_playground::evolution::{Genome, Grammar, Limits, RuleId, Symbol, grow};
+use swarm_playground::geese::Blackboard::{Private, Shared};
 use swarm_playground::geese::{
     Behaviours, Compiler, Detail, DiversityRule, DropPostcondition, DropRule, ExplorationRule, ExploreHeading,
     FeedbackRule, FitnessRule, Footprint, Init, ItemPlacement, LengthRule, MoveAwayPostcondition, Name, Neighbours,
@@ -270,7 +271,6 @@ fn percepts_outlast_a_tick_and_are_shared_when_the_scenario_says_so() {
         }
         looked
     };
-    use swarm_playground::geese::Blackboard::{Private, Shared};
     assert_eq!(knowing(PerceptWipe::Tick, Private), [false; 4], "there IsCarryable looks itself");
     assert_eq!(knowing(PerceptWipe::Sense, Private), [true, true, false, false]);
     assert_eq!(knowing(PerceptWipe::Sense, Shared), [true, false, false, false]);

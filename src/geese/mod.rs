@@ -4,7 +4,7 @@
 //! agents that meet exchange genomes; one with enough of them breeds and takes up the most diverse child.
 //!
 //! Where the paper is silent, the choice stands in the doc comment of the code that makes it and in the `source` of
-//! the parameter that changes it.
+//! the parameter that changes it. `profiles.rs` sets the paper's text beside the authors' published code, row by row.
 
 mod body;
 mod breeding;

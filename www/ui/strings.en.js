@@ -174,7 +174,7 @@ export const text = {
       ['feedback', 'V Feedback B'],
     ]),
     fitness: 'Fitness',
-    formula: 'Each tick A becomes βA + the types that count; β is the fitness memory',
+    formula: 'Each tick A becomes β times what fitness remembers (A, unless set otherwise) + the types that count; β is the fitness memory',
     uncounted: (/** @type {string | number} */ value) => `${value} (does not count)`,
     alive: 'working',
     dead: 'out of order',

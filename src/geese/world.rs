@@ -344,6 +344,12 @@ impl State {
     /// genome keeps the fitness it had when it was taken. In the authors' code an agent meets its cell mates and itself,
     /// two at least, stored fitness is live, and one that gets nowhere breeds with ten random genomes.
     fn meet(&mut self, params: &Params, breeder: &mut Breeder, near: &mut Near, agent: u32) {
+        // In every turn, also alone: what donors had two programs ago is nowhere to be found.
+        if params.storage_value == StorageValue::Live {
+            let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
+            storage.refresh(&self.minds);
+            self.minds[agent as usize].storage = storage;
+        }
         let place = self.field.agents.point(agent);
         near.clear();
         match params.neighbours {
@@ -355,11 +361,6 @@ impl State {
         }
         if near.is_empty() && params.stagnation == 0 {
             return;
-        }
-        if params.storage_value == StorageValue::Live {
-            let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
-            storage.refresh(&self.minds);
-            self.minds[agent as usize].storage = storage;
         }
         let mind = &mut self.minds[agent as usize];
         near.retain(|_| mind.evolution.random_bool(params.interaction_probability));

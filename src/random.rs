@@ -62,6 +62,15 @@ fn mix(value: u64) -> u64 {
     z ^ (z >> 31)
 }
 
+/// True with the given probability, in steps of 2^-64; draws nothing when that is 1 or more.
+///
+/// The same bits as `random_bool` of rand, without its panic, whose text brings the printing of floats into the wasm.
+pub fn chance(rng: &mut Stream, probability: f64) -> bool {
+    const ALL: f64 = 18_446_744_073_709_551_616.0;
+    // The conversion saturates, and of NaN it makes 0.
+    probability >= 1.0 || rng.random::<u64>() < (probability * ALL) as u64
+}
+
 /// One draw from the standard normal distribution, by the polar method (no sine or cosine).
 ///
 /// The second value of each pair is dropped, so a stream's state says all about its future.
@@ -107,6 +116,17 @@ mod tests {
         first.sort_unstable();
         first.dedup();
         assert_eq!(first.len(), drawn);
+    }
+
+    #[test]
+    fn chance_draws_what_random_bool_of_rand_draws() {
+        let [mut ours, mut theirs] = [(); 2].map(|()| stream(Seed::new(3).expect("small"), Purpose::Evolution, 1));
+        for step in 0..=1000 {
+            let probability = f64::from(step) / 1000.0;
+            assert_eq!(chance(&mut ours, probability), theirs.random_bool(probability));
+        }
+        assert_eq!(ours, theirs, "both drew as often");
+        assert!(chance(&mut ours, 1.5) && !chance(&mut ours, f64::NAN) && !chance(&mut ours, -0.5));
     }
 
     #[test]

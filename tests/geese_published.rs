@@ -471,3 +471,19 @@ fn every_mixture_of_the_switches_runs_and_keeps_robots_in_the_arena() {
     }
     assert!(Name::MoveAway.moves() && !Name::CompositeDrop.moves());
 }
+
+#[test]
+fn every_choice_of_the_schema_is_written_as_it_was_read() {
+    let default = Scenario::read(r#"{"world": "geese"}"#).expect("valid");
+    let schema = swarm_playground::scenario::schema();
+    let mut checked = 0;
+    for entry in schema.as_array().expect("a list").iter().filter(|entry| entry["type"] == "choice") {
+        let key = entry["key"].as_str().expect("a key");
+        for choice in entry["choices"].as_array().expect("a list") {
+            let changed = default.with(key, &choice["value"]).expect("every choice is allowed").to_value();
+            assert_eq!(changed[key.trim_start_matches("geese.")], choice["value"], "{key}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 80, "{checked}");
+}

@@ -1,13 +1,13 @@
 //! An agent's body, and what its leaves do to it and to the world.
 
 use super::field::{Disc, Field};
-use super::grid::squared_distance;
+use super::grid::{Area, squared_distance};
 use super::lattice::edge_along;
 use super::leaf::{Leaf, Manner, Name, Object};
 use super::params::{Behaviours, DropRule, ExploreHeading, IsDropable, MovesPerStep, Params};
 use super::switches::{
     AvoidRule, Blackboard, DropPostcondition, EdgeRule, InitialMemory, MoveAwayPostcondition, PerceptWipe, Rounding,
-    Sensing, StepRule,
+    StepRule,
 };
 use crate::bt::{Host, NodeId, Ports, Status};
 use crate::fingerprint::Fingerprint;
@@ -170,8 +170,13 @@ impl<'a> Actor<'a> {
         }
     }
 
+    /// Where items and other agents are sensed.
+    fn area(&self) -> Area {
+        self.field.area(self.params.sensing, self.position, self.params.sense_radius)
+    }
+
     fn sensed_item(&self) -> Option<u32> {
-        self.field.sensed_item(self.params.sensing, self.position, self.params.sense_radius)
+        self.field.nearest_item(self.position, self.area())
     }
 
     fn places(&self, kind: Object) -> &[Disc] {
@@ -186,11 +191,7 @@ impl<'a> Actor<'a> {
 
     fn senses_agent(&self) -> bool {
         let mut found = false;
-        let Self { field, position, id, .. } = self;
-        match self.params.sensing {
-            Sensing::Disc => field.agents.near(*position, self.params.sense_radius, |other, _| found |= other != *id),
-            Sensing::Cell => field.in_cell(&field.agents, *position, |other| found |= other != *id),
-        }
+        self.field.agents.near(self.position, self.area(), |other, _| found |= other != self.id);
         found
     }
 
@@ -267,14 +268,15 @@ impl<'a> Actor<'a> {
         let wanted = [0, 1].map(|axis| self.position[axis] + self.body.heading[axis] * length);
         let (wanted, edge) = match self.params.rounding {
             Rounding::None => (wanted, self.field.half),
-            Rounding::Nearest => (wanted.map(libm::rint), libm::floor(self.field.half)),
-            Rounding::Truncate => (wanted.map(libm::trunc), libm::floor(self.field.half)),
+            Rounding::Nearest => (wanted.map(f64::round_ties_even), self.field.half.floor()),
+            Rounding::Truncate => (wanted.map(f64::trunc), self.field.half.floor()),
         };
         let beyond = wanted.iter().filter(|value| value.abs() > edge).count();
         let (reached, turns) = match self.params.edge_rule {
-            EdgeRule::Clamp => (wanted.map(|value| value.clamp(-edge, edge)), beyond > 0),
+            // Not `clamp`, whose panic brings the printing of floats into the wasm.
+            EdgeRule::Clamp => (wanted.map(|value| value.max(-edge).min(edge)), beyond > 0),
             EdgeRule::Bounce => {
-                let back = |value: f64| if value.abs() > edge { libm::copysign(edge - 2.0, value) } else { value };
+                let back = |value: f64| if value.abs() > edge { (edge - 2.0).copysign(value) } else { value };
                 (wanted.map(back), beyond == 1)
             }
         };

@@ -7,7 +7,7 @@ use super::switches::{EliteRank, Init, LengthRule};
 use crate::evolution::{
     Genome, Mutation, RuleId, exchange_tails, fittest, fixed_cuts, grow, tournament, variable_cuts,
 };
-use crate::random::Stream;
+use crate::random::{Stream, chance};
 use rand::RngExt;
 
 /// Where a genome of the pool lies.
@@ -164,7 +164,7 @@ impl Breeder {
             };
             let [a, b] = pair.map(genome_of);
             let [first, second] = &mut *children;
-            if rng.random_bool(params.crossover_probability) {
+            if chance(rng, params.crossover_probability) {
                 let cuts = match params.crossover_mode {
                     CrossoverMode::VariableOnePoint => variable_cuts(rng, [a, b]),
                     CrossoverMode::FixedOnePoint => fixed_cuts(rng, [a, b]),

@@ -1,6 +1,6 @@
 //! What lies in the arena: hub, sites, boundary, obstacles, traps and items; and where the agents stand.
 
-use super::grid::{Grid, squared_distance};
+use super::grid::{Area, Grid, squared_distance};
 use super::lattice::Lattice;
 use super::leaf::Object;
 use super::params::{ItemPlacement, Params, StartPositions, Task};
@@ -129,7 +129,7 @@ impl Field {
                 StartPositions::Uniform => [0, 1].map(|_| (placement.random::<f64>() * 2.0 - 1.0) * params.half()),
             };
             // On whole coordinates the upper edge is left out, as in the authors' code.
-            let whole = |value: f64| libm::floor(value).max(-libm::floor(params.half()));
+            let whole = |value: f64| value.floor().max(-params.half().floor());
             agents.put(id, if params.rounding == Rounding::None { start } else { start.map(whole) });
         }
         let lattice = Lattice::new(params);
@@ -161,7 +161,7 @@ impl Field {
 
     /// Obstacles and traps at random places, clear of hub, sites and each other by more than a step.
     fn place_terrain(&mut self, params: &Params, rng: &mut Stream) -> Result<(), (&'static str, String)> {
-        let mut taken: Vec<Disc> = self.sites.iter().chain(&self.sinks).copied().chain([self.hub]).collect();
+        let mut taken = [self.sites.as_slice(), &self.sinks, &[self.hub]].concat();
         if params.start_positions == StartPositions::Uniform {
             // Nobody starts in an obstacle or a trap.
             taken.extend((0..params.agents).map(|id| Disc { centre: self.agents.point(id), radius: 0.0 }));
@@ -236,35 +236,20 @@ impl Field {
         self.task == Task::Nest && !self.accepts(place) && self.covers(&self.hub, place)
     }
 
-    /// Calls `found` with every point of `grid` in the lattice cell of `place`; in no useful order.
-    pub fn in_cell(&self, grid: &Grid, place: [f64; 2], mut found: impl FnMut(u32)) {
-        let cell = self.lattice.cell(place);
-        grid.in_box(self.lattice.around(place), |id, point| {
-            if self.lattice.cell(point) == cell {
-                found(id);
-            }
-        });
-    }
-
-    /// The item that an agent at `place` senses: the nearest within `reach`, or (by cell) the first of its cell; of
-    /// equally near ones that with the smallest number.
+    /// Where an agent at `place` senses items and others: within `radius`, or in its cell.
     #[must_use]
-    pub fn sensed_item(&self, sensing: Sensing, place: [f64; 2], reach: f64) -> Option<u32> {
+    pub fn area(&self, sensing: Sensing, place: [f64; 2], radius: f64) -> Area {
         match sensing {
-            Sensing::Disc => self.nearest_item(place, reach),
-            Sensing::Cell => {
-                let mut first: Option<u32> = None;
-                self.in_cell(&self.items, place, |item| first = Some(first.map_or(item, |other| other.min(item))));
-                first
-            }
+            Sensing::Disc => Area::Disc(radius),
+            Sensing::Cell => Area::Cell(self.lattice.around(place)),
         }
     }
 
-    /// The nearest free item within `reach` of `place`; of equally near ones that with the smallest number.
+    /// The nearest free item of an area around `place`; of equally near ones that with the smallest number.
     #[must_use]
-    pub fn nearest_item(&self, place: [f64; 2], reach: f64) -> Option<u32> {
+    pub fn nearest_item(&self, place: [f64; 2], area: Area) -> Option<u32> {
         let mut nearest: Option<(f64, u32)> = None;
-        self.items.near(place, reach, |item, distance| {
+        self.items.near(place, area, |item, distance| {
             if nearest.is_none_or(|best| (distance, item) < best) {
                 nearest = Some((distance, item));
             }
@@ -319,9 +304,8 @@ impl Field {
 
     /// Feeds places, items and the positions of the agents.
     pub fn feed(&self, hash: &mut Fingerprint) {
-        for disc in self.sites.iter().chain(&self.sinks) {
-            disc.feed(hash);
-        }
+        self.sites.iter().for_each(|disc| disc.feed(hash));
+        self.sinks.iter().for_each(|disc| disc.feed(hash));
         hash.f64(self.hub.radius);
         hash.f64(self.half);
         for disc in self.obstacles.iter().chain(&self.traps) {
@@ -351,8 +335,8 @@ fn sinks(params: &Params, lattice: &Lattice, hub: &Disc, rng: &mut Stream) -> Ve
         let mut sink = Disc { centre: [around, 0.0], radius: SINK_RADIUS };
         for _ in 0..100 {
             let angle = f64::from(rng.random_range(0..36_u32)) * std::f64::consts::PI / 18.0;
-            sink.centre = [libm::trunc(around * libm::cos(angle)), libm::trunc(around * libm::sin(angle))];
-            if sinks.iter().chain([hub]).all(|other| !lattice.share(other, &sink)) {
+            sink.centre = [(around * libm::cos(angle)).trunc(), (around * libm::sin(angle)).trunc()];
+            if !lattice.share(hub, &sink) && !sinks.iter().any(|other| lattice.share(other, &sink)) {
                 break;
             }
         }

@@ -72,18 +72,24 @@ impl Layout {
         let agents = block(COUNTS.len(), world.params().agents as usize, AGENT);
         let items = block(agents.offset + agents.count * agents.stride, world.params().item_count() as usize, ITEM);
         let field = &world.state().field;
-        let place = |kind, disc: Disc| {
-            let ([x, y], square) = (disc.centre, field.lattice.square(&disc));
-            Place { kind, x, y, radius: disc.radius, square }
-        };
-        let mut places = vec![place("hub", field.hub)];
-        if field.task == Task::Nest && field.sinks.is_empty() {
-            places.push(Place { square: None, ..place("boundary", field.inside) });
+        let ring = [field.inside];
+        let is_ring = field.task == Task::Nest && field.sinks.is_empty();
+        let groups: [(_, &[Disc]); 6] = [
+            ("hub", &[field.hub]),
+            ("boundary", if is_ring { &ring } else { &[] }),
+            ("boundary", &field.sinks),
+            ("site", &field.sites),
+            ("obstacle", &field.obstacles),
+            ("trap", &field.traps),
+        ];
+        let mut places = Vec::new();
+        for (kind, discs) in groups {
+            for disc in discs {
+                let ([x, y], is_circle) = (disc.centre, is_ring && kind == "boundary");
+                let square = if is_circle { None } else { field.lattice.square(disc) };
+                places.push(Place { kind, x, y, radius: disc.radius, square });
+            }
         }
-        places.extend(field.sinks.iter().map(|disc| place("boundary", *disc)));
-        places.extend(field.sites.iter().map(|disc| place("site", *disc)));
-        places.extend(field.obstacles.iter().map(|disc| place("obstacle", *disc)));
-        places.extend(field.traps.iter().map(|disc| place("trap", *disc)));
         let names = actions().map(|(name, object)| {
             let gap = if object == Object::Nothing { "" } else { " " };
             format!("{}{gap}{}", name.text(), object.text())

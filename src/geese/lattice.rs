@@ -1,7 +1,6 @@
 //! The lattice of cells that the authors' code lays over the arena, and the ground that a place takes up on it.
 
 use super::field::Disc;
-use super::grid::squared_distance;
 use super::params::Params;
 use super::switches::{Footprint, Sensing};
 
@@ -100,15 +99,14 @@ impl Lattice {
     /// cell) from a cell that the ground touches.
     #[must_use]
     pub fn senses(&self, sensing: Sensing, disc: &Disc, point: [f64; 2], margin: f64) -> bool {
-        let nearest =
-            |[low, high]: [[f64; 2]; 2], to: [f64; 2]| [0, 1].map(|axis| to[axis].clamp(low[axis], high[axis]));
+        let near = || Disc { radius: disc.radius + margin, ..*disc }.contains(point);
         match (sensing, self.footprint) {
-            (Sensing::Disc, Footprint::Disc) => Disc { radius: disc.radius + margin, ..*disc }.contains(point),
-            (Sensing::Disc, Footprint::Cells) => {
-                let near = || squared_distance(nearest(self.bounds(disc), point), point) <= margin * margin;
-                self.covers(disc, point) || margin > 0.0 && near()
+            (Sensing::Disc, Footprint::Disc) => near(),
+            (Sensing::Disc, Footprint::Cells) => self.covers(disc, point) || margin > 0.0 && near(),
+            (Sensing::Cell, Footprint::Disc) => {
+                let [low, high] = self.around(point);
+                disc.contains([0, 1].map(|axis| disc.centre[axis].max(low[axis]).min(high[axis])))
             }
-            (Sensing::Cell, Footprint::Disc) => disc.contains(nearest(self.around(point), disc.centre)),
             (Sensing::Cell, Footprint::Cells) => self.covers(disc, point),
         }
     }
@@ -132,7 +130,7 @@ impl Lattice {
         match self.footprint {
             Footprint::Disc => disc.meets(from, ahead(length)),
             Footprint::Cells => {
-                (0..libm::ceil(length) as u32).any(|far| self.covers(disc, ahead(f64::from(far)).map(libm::trunc)))
+                (0..length.ceil() as u32).any(|far| self.covers(disc, ahead(f64::from(far)).map(f64::trunc)))
             }
         }
     }

@@ -8,7 +8,8 @@ use super::switches::{
 use serde::Serialize;
 use serde_json::Value;
 
-/// Every parameter of the foraging world and its evolution; see `schema.rs` for bounds, meaning and source.
+/// Every parameter of the foraging world and its evolution; see `schema.rs` for bounds, meaning and source. What is written
+/// of it is [`Params::fields`]: the derived form lacks the switches.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[expect(missing_docs, reason = "each field is described once, in the schema")]
@@ -22,8 +23,10 @@ pub struct Params {
     pub sites: u32,
     pub site_radius: f64,
     pub site_distance: f64,
+    #[serde(skip)]
     pub site_placement: SitePlacement,
     pub boundary_radius: f64,
+    #[serde(skip)]
     pub nest_sink: NestSink,
     pub items: u32,
     pub item_placement: ItemPlacement,
@@ -31,44 +34,59 @@ pub struct Params {
     pub obstacle_radius: f64,
     pub traps: u32,
     pub trap_radius: f64,
+    #[serde(skip)]
     pub footprint: Footprint,
+    #[serde(skip)]
     pub edge_rule: EdgeRule,
+    #[serde(skip)]
     pub rounding: Rounding,
     pub success_threshold: f64,
     pub start_positions: StartPositions,
     pub activation: Activation,
     pub behaviours: Behaviours,
     pub step_length: f64,
+    #[serde(skip)]
     pub step_rule: StepRule,
     pub moves_per_step: MovesPerStep,
     pub look_ahead: f64,
+    #[serde(skip)]
     pub avoid_rule: AvoidRule,
+    #[serde(skip)]
     pub sensing: Sensing,
     pub sense_radius: f64,
     pub explore_heading: ExploreHeading,
     pub turn_deviation: f64,
     pub drop_rule: DropRule,
     pub is_dropable: IsDropable,
+    #[serde(skip)]
     pub initial_memory: InitialMemory,
+    #[serde(skip)]
     pub blackboard: Blackboard,
+    #[serde(skip)]
     pub percept_wipe: PerceptWipe,
+    #[serde(skip)]
     pub moveaway_postcondition: MoveAwayPostcondition,
+    #[serde(skip)]
     pub drop_postcondition: DropPostcondition,
     pub evolution: bool,
     pub population_form: PopulationForm,
     pub population_share: f64,
+    #[serde(skip)]
     pub population_pool: PopulationPool,
     pub population: String,
     pub genome_length: u16,
+    #[serde(skip)]
     pub init: Init,
     pub codon_max: u16,
     pub max_depth: u32,
     pub max_wraps: u32,
     pub grammar: String,
     pub interaction_probability: f64,
+    #[serde(skip)]
     pub neighbours: Neighbours,
     pub storage_threshold: u32,
     pub storage_content: StorageContent,
+    #[serde(skip)]
     pub storage_value: StorageValue,
     pub stagnation: u32,
     pub own_in_pool: bool,
@@ -76,11 +94,13 @@ pub struct Params {
     pub parent_share: f64,
     pub tournament_size: u32,
     pub elite_size: u32,
+    #[serde(skip)]
     pub elite_rank: EliteRank,
     pub children: u32,
     pub genome_selection: GenomeSelection,
     pub crossover_mode: CrossoverMode,
     pub crossover_probability: f64,
+    #[serde(skip)]
     pub length_rule: LengthRule,
     pub mutation_mode: MutationMode,
     pub mutation_probability: f64,
@@ -91,9 +111,13 @@ pub struct Params {
     pub fitness_task: bool,
     pub fitness_feedback: bool,
     pub fitness_memory: f64,
+    #[serde(skip)]
     pub fitness: FitnessRule,
+    #[serde(skip)]
     pub diversity: DiversityRule,
+    #[serde(skip)]
     pub exploration: ExplorationRule,
+    #[serde(skip)]
     pub bt_feedback: FeedbackRule,
 }
 
@@ -485,7 +509,7 @@ pub fn put_whole<T: TryFrom<u64>>(field: &mut T, value: &Value) -> bool {
 }
 
 /// Sets a field to the one of `all` that is written as `value`.
-pub fn put_word<T: Copy + Serialize>(field: &mut T, all: &[T], value: &Value) -> bool {
+fn put_word<T: Copy + Serialize>(field: &mut T, all: &[T], value: &Value) -> bool {
     let found = all.iter().find(|word| serde_json::to_value(word).is_ok_and(|written| written == *value));
     found.is_some_and(|word| put(field, *word))
 }

@@ -83,27 +83,37 @@ impl Population {
         Ok(Self { members: members.collect::<Result<_, String>>()? })
     }
 
-    /// Keeps the members that take part, fittest first; of equally fit ones the earlier first.
+    /// Keeps those members, by number, that take part, fittest first; of equally fit ones the earlier first.
     ///
     /// Source: BeTr-GEESE, sections 5.1 to 5.3. The authors' code takes a share of the different programs, of which it
     /// keeps as many as there are agents, and rounds it to the nearest whole number.
-    fn choose(params: &Params, members: &mut Vec<(&Member, Tree<Leaf>)>) {
+    fn choose(&self, params: &Params, trees: &[Tree<Leaf>], members: &mut Vec<usize>) {
         if params.population_form == PopulationForm::AsSaved {
             return;
         }
-        members.sort_by(|a, b| b.0.fitness.total_cmp(&a.0.fitness));
+        // The order of `total_cmp` turned round; equal ones stay in their order by their numbers.
+        let rank = |fitness: f64| {
+            let bits = fitness.to_bits().cast_signed();
+            !((bits ^ (bits >> 63 & i64::MAX)).cast_unsigned() ^ 1 << 63)
+        };
+        let ranked = members.iter().map(|&member| (rank(self.members[member].fitness), member as u32));
+        let mut ranked: Vec<(u64, u32)> = ranked.collect();
+        ranked.sort_unstable();
+        *members = ranked.iter().map(|&(_, member)| member as usize).collect();
         let share = params.population_share;
         let part = match params.population_pool {
             PopulationPool::Agents => members.len() as f64 * share,
             PopulationPool::Programs => {
-                let mut seen = Vec::new();
-                members.retain(|(_, tree)| {
-                    let id = program_id(tree);
-                    let is_new = !seen.contains(&id);
-                    seen.push(id);
-                    is_new
-                });
-                libm::rint(members.len().min(params.agents as usize) as f64 * share)
+                let (mut seen, mut kept) = (Vec::new(), Vec::new());
+                for &member in members.iter() {
+                    let id = program_id(&trees[member]);
+                    if !seen.contains(&id) {
+                        seen.push(id);
+                        kept.push(member);
+                    }
+                }
+                *members = kept;
+                (members.len().min(params.agents as usize) as f64 * share).round_ties_even()
             }
         };
         members.truncate(if params.population_form == PopulationForm::Homogeneous {
@@ -122,34 +132,35 @@ impl Population {
     /// # Errors
     /// The member whose genome maps to no program of the compiler's grammar.
     pub fn deal(&self, params: &Params, seed: Seed, compiler: &mut Compiler) -> Result<Vec<Dealt>, String> {
-        let mut chosen = Vec::with_capacity(self.members.len());
+        let mut trees = Vec::with_capacity(self.members.len());
         for (index, member) in self.members.iter().enumerate() {
             let mut tree = placeholder();
             compiler.compile(&member.genome, &mut tree).map_err(|_| {
                 format!("members[{index}].genome: expected codons of a program of the grammar, found none")
             })?;
-            chosen.push((member, tree));
+            trees.push(tree);
         }
-        Self::choose(params, &mut chosen);
+        let mut chosen: Vec<usize> = (0..trees.len()).collect();
+        self.choose(params, &trees, &mut chosen);
         let agents = 0..params.agents;
         Ok(match params.population_form {
             PopulationForm::Blended => agents
                 .map(|agent| {
-                    let mut order: Vec<usize> = (0..chosen.len()).collect();
+                    let mut order = chosen.clone();
                     let mut rng = stream(seed, Purpose::Genesis, agent);
                     for last in (1..order.len() as u32).rev() {
                         order.swap(last as usize, rng.random_range(0..=last) as usize);
                     }
                     Dealt {
-                        codons: chosen[order[0]].0.genome.clone(),
-                        tree: blend(order.iter().map(|&index| &chosen[index].1)),
+                        codons: self.members[order[0]].genome.clone(),
+                        tree: blend(order.iter().map(|&index| &trees[index])),
                     }
                 })
                 .collect(),
             _ => agents
                 .map(|agent| {
-                    let index = agent as usize % chosen.len();
-                    Dealt { codons: chosen[index].0.genome.clone(), tree: chosen[index].1.clone() }
+                    let index = chosen[agent as usize % chosen.len()];
+                    Dealt { codons: self.members[index].genome.clone(), tree: trees[index].clone() }
                 })
                 .collect(),
         })

@@ -1,12 +1,14 @@
 //! The switches between the paper's text and the authors' published code; `profiles.rs` lists them row by row.
+//!
+//! Their words stand in the schema, in the order of the variants: derived writing and reading of so many small types would
+//! make the wasm a tenth larger.
 
-use super::params::{Params, put, put_whole, put_word};
-use serde::Serialize;
-use serde_json::Value;
+use super::params::{Params, put, put_whole};
+use super::schema::switches;
+use serde_json::{Map, Value};
 
 /// The ground that a place takes up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Footprint {
     /// A disc.
     Disc,
@@ -15,8 +17,7 @@ pub enum Footprint {
 }
 
 /// What an agent senses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sensing {
     /// Places it stands in, items and agents within the sensing radius.
     Disc,
@@ -25,8 +26,7 @@ pub enum Sensing {
 }
 
 /// Where the sites are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SitePlacement {
     /// At random angles, the site distance from the hub.
     Ring,
@@ -35,8 +35,7 @@ pub enum SitePlacement {
 }
 
 /// Where debris belongs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NestSink {
     /// Anywhere outside the boundary circle.
     Ring,
@@ -45,8 +44,7 @@ pub enum NestSink {
 }
 
 /// What happens at the edge of the arena.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EdgeRule {
     /// The agent stays on the edge and turns round.
     Clamp,
@@ -55,8 +53,7 @@ pub enum EdgeRule {
 }
 
 /// Whether agents stand on whole coordinates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rounding {
     /// Real coordinates.
     None,
@@ -67,8 +64,7 @@ pub enum Rounding {
 }
 
 /// How far one step goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepRule {
     /// The step length.
     Constant,
@@ -77,8 +73,7 @@ pub enum StepRule {
 }
 
 /// How PPA behaviours get past what is ahead.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AvoidRule {
     /// Along the tangent of the disc.
     Tangent,
@@ -87,8 +82,7 @@ pub enum AvoidRule {
 }
 
 /// Which parts of the boundary agents know at the start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InitialMemory {
     /// All.
     All,
@@ -97,8 +91,7 @@ pub enum InitialMemory {
 }
 
 /// Whose percepts an agent acts on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Blackboard {
     /// Its own.
     Private,
@@ -107,8 +100,7 @@ pub enum Blackboard {
 }
 
 /// When percepts are forgotten.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PerceptWipe {
     /// At the start of each tick.
     Tick,
@@ -117,8 +109,7 @@ pub enum PerceptWipe {
 }
 
 /// When MoveAway is done.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveAwayPostcondition {
     /// When the place is not sensed.
     NotSensed,
@@ -127,8 +118,7 @@ pub enum MoveAwayPostcondition {
 }
 
 /// What CompositeDrop returns without a load.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DropPostcondition {
     /// SUCCESS.
     NotCarrying,
@@ -137,8 +127,7 @@ pub enum DropPostcondition {
 }
 
 /// Whom an agent meets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Neighbours {
     /// The others within the sensing radius.
     Radius,
@@ -147,8 +136,7 @@ pub enum Neighbours {
 }
 
 /// What a stored genome is worth.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StorageValue {
     /// The fitness its donor had when it was taken.
     Copied,
@@ -157,8 +145,7 @@ pub enum StorageValue {
 }
 
 /// What the elite is compared with children by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EliteRank {
     /// Diversity, as children are.
     Diversity,
@@ -167,8 +154,7 @@ pub enum EliteRank {
 }
 
 /// What happens to children that are too long.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LengthRule {
     /// They lose their end.
     Cut,
@@ -177,8 +163,7 @@ pub enum LengthRule {
 }
 
 /// How genomes are made at the start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Init {
     /// Random codons, drawn again until they map to a program.
     RandomBits,
@@ -187,8 +172,7 @@ pub enum Init {
 }
 
 /// What run-time fitness remembers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FitnessRule {
     /// A share of itself in the step before.
     Recurrence,
@@ -197,8 +181,7 @@ pub enum FitnessRule {
 }
 
 /// How diversity is counted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DiversityRule {
     /// Names in the program over names in the grammar.
     Names,
@@ -207,8 +190,7 @@ pub enum DiversityRule {
 }
 
 /// What exploration counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExplorationRule {
     /// Unit squares.
     Squares,
@@ -217,8 +199,7 @@ pub enum ExplorationRule {
 }
 
 /// Which statuses feedback counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FeedbackRule {
     /// Of postconditions, constraints and a selector at the root.
     Tags,
@@ -227,8 +208,7 @@ pub enum FeedbackRule {
 }
 
 /// What the fittest of a saved population are chosen from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PopulationPool {
     /// The agents.
     Agents,
@@ -237,49 +217,87 @@ pub enum PopulationPool {
 }
 
 impl Params {
-    /// As [`Params::set`], for the switches of this file.
+    /// As [`Params::set`], for the switches of this file and the two numbers beside them.
     pub fn set_switch(&mut self, name: &str, value: &Value) -> bool {
+        let word = value.as_str().unwrap_or_default();
+        let choices = switches().find(|switch| switch.0 == name).map_or(&[][..], |switch| switch.1);
+        let at = choices.iter().position(|choice| choice.0 == word);
         match name {
-            "site-placement" => put_word(&mut self.site_placement, &[SitePlacement::Ring, SitePlacement::Fixed], value),
-            "nest-sink" => put_word(&mut self.nest_sink, &[NestSink::Ring, NestSink::Cells], value),
-            "footprint" => put_word(&mut self.footprint, &[Footprint::Disc, Footprint::Cells], value),
-            "edge-rule" => put_word(&mut self.edge_rule, &[EdgeRule::Clamp, EdgeRule::Bounce], value),
-            "rounding" => put_word(&mut self.rounding, &[Rounding::None, Rounding::Nearest, Rounding::Truncate], value),
-            "step-rule" => put_word(&mut self.step_rule, &[StepRule::Constant, StepRule::ByLoad], value),
-            "avoid-rule" => put_word(&mut self.avoid_rule, &[AvoidRule::Tangent, AvoidRule::Box], value),
-            "sensing" => put_word(&mut self.sensing, &[Sensing::Disc, Sensing::Cell], value),
-            "initial-memory" => {
-                put_word(&mut self.initial_memory, &[InitialMemory::All, InitialMemory::FirstBoundary], value)
-            }
-            "blackboard" => put_word(&mut self.blackboard, &[Blackboard::Private, Blackboard::Shared], value),
-            "percept-wipe" => put_word(&mut self.percept_wipe, &[PerceptWipe::Tick, PerceptWipe::Sense], value),
-            "moveaway-postcondition" => put_word(
-                &mut self.moveaway_postcondition,
-                &[MoveAwayPostcondition::NotSensed, MoveAwayPostcondition::Sensed],
-                value,
-            ),
-            "drop-postcondition" => put_word(
-                &mut self.drop_postcondition,
-                &[DropPostcondition::NotCarrying, DropPostcondition::None],
-                value,
-            ),
-            "population-pool" => {
-                put_word(&mut self.population_pool, &[PopulationPool::Agents, PopulationPool::Programs], value)
-            }
-            "init" => put_word(&mut self.init, &[Init::RandomBits, Init::DerivationTree], value),
-            "neighbours" => put_word(&mut self.neighbours, &[Neighbours::Radius, Neighbours::Cell], value),
-            "storage-value" => put_word(&mut self.storage_value, &[StorageValue::Copied, StorageValue::Live], value),
             "stagnation" => put_whole(&mut self.stagnation, value),
             "own-in-pool" => value.as_bool().is_some_and(|on| put(&mut self.own_in_pool, on)),
-            "elite-rank" => put_word(&mut self.elite_rank, &[EliteRank::Diversity, EliteRank::Fitness], value),
-            "length-rule" => put_word(&mut self.length_rule, &[LengthRule::Cut, LengthRule::Redraw], value),
-            "fitness" => put_word(&mut self.fitness, &[FitnessRule::Recurrence, FitnessRule::Delayed], value),
-            "diversity" => put_word(&mut self.diversity, &[DiversityRule::Names, DiversityRule::Leaves], value),
-            "exploration" => {
-                put_word(&mut self.exploration, &[ExplorationRule::Squares, ExplorationRule::Cells], value)
+            "site-placement" => pick(&mut self.site_placement, &[SitePlacement::Ring, SitePlacement::Fixed], at),
+            "nest-sink" => pick(&mut self.nest_sink, &[NestSink::Ring, NestSink::Cells], at),
+            "footprint" => pick(&mut self.footprint, &[Footprint::Disc, Footprint::Cells], at),
+            "edge-rule" => pick(&mut self.edge_rule, &[EdgeRule::Clamp, EdgeRule::Bounce], at),
+            "rounding" => pick(&mut self.rounding, &[Rounding::None, Rounding::Nearest, Rounding::Truncate], at),
+            "step-rule" => pick(&mut self.step_rule, &[StepRule::Constant, StepRule::ByLoad], at),
+            "avoid-rule" => pick(&mut self.avoid_rule, &[AvoidRule::Tangent, AvoidRule::Box], at),
+            "sensing" => pick(&mut self.sensing, &[Sensing::Disc, Sensing::Cell], at),
+            "initial-memory" => pick(&mut self.initial_memory, &[InitialMemory::All, InitialMemory::FirstBoundary], at),
+            "blackboard" => pick(&mut self.blackboard, &[Blackboard::Private, Blackboard::Shared], at),
+            "percept-wipe" => pick(&mut self.percept_wipe, &[PerceptWipe::Tick, PerceptWipe::Sense], at),
+            "moveaway-postcondition" => pick(
+                &mut self.moveaway_postcondition,
+                &[MoveAwayPostcondition::NotSensed, MoveAwayPostcondition::Sensed],
+                at,
+            ),
+            "drop-postcondition" => {
+                pick(&mut self.drop_postcondition, &[DropPostcondition::NotCarrying, DropPostcondition::None], at)
             }
-            "bt-feedback" => put_word(&mut self.bt_feedback, &[FeedbackRule::Tags, FeedbackRule::Selectors], value),
+            "population-pool" => {
+                pick(&mut self.population_pool, &[PopulationPool::Agents, PopulationPool::Programs], at)
+            }
+            "init" => pick(&mut self.init, &[Init::RandomBits, Init::DerivationTree], at),
+            "neighbours" => pick(&mut self.neighbours, &[Neighbours::Radius, Neighbours::Cell], at),
+            "storage-value" => pick(&mut self.storage_value, &[StorageValue::Copied, StorageValue::Live], at),
+            "elite-rank" => pick(&mut self.elite_rank, &[EliteRank::Diversity, EliteRank::Fitness], at),
+            "length-rule" => pick(&mut self.length_rule, &[LengthRule::Cut, LengthRule::Redraw], at),
+            "fitness" => pick(&mut self.fitness, &[FitnessRule::Recurrence, FitnessRule::Delayed], at),
+            "diversity" => pick(&mut self.diversity, &[DiversityRule::Names, DiversityRule::Leaves], at),
+            "exploration" => pick(&mut self.exploration, &[ExplorationRule::Squares, ExplorationRule::Cells], at),
+            "bt-feedback" => pick(&mut self.bt_feedback, &[FeedbackRule::Tags, FeedbackRule::Selectors], at),
             _ => false,
         }
     }
+
+    /// Every parameter by its name, in the form that [`Params::set`] takes.
+    #[must_use]
+    pub fn fields(&self) -> Map<String, Value> {
+        let Ok(Value::Object(mut fields)) = serde_json::to_value(self) else { return Map::new() };
+        // In the order of the schema.
+        let chosen = [
+            self.footprint as u8,
+            self.site_placement as u8,
+            self.nest_sink as u8,
+            self.edge_rule as u8,
+            self.rounding as u8,
+            self.step_rule as u8,
+            self.sensing as u8,
+            self.avoid_rule as u8,
+            self.initial_memory as u8,
+            self.percept_wipe as u8,
+            self.blackboard as u8,
+            self.moveaway_postcondition as u8,
+            self.drop_postcondition as u8,
+            self.neighbours as u8,
+            self.storage_value as u8,
+            self.elite_rank as u8,
+            self.length_rule as u8,
+            self.fitness as u8,
+            self.diversity as u8,
+            self.exploration as u8,
+            self.bt_feedback as u8,
+            self.population_pool as u8,
+            self.init as u8,
+        ];
+        for ((name, choices), chosen) in switches().zip(chosen) {
+            fields.insert(name.to_owned(), Value::from(choices[usize::from(chosen)].0));
+        }
+        fields
+    }
+}
+
+/// Sets a field to the one of `all` at a place.
+fn pick<T: Copy>(field: &mut T, all: &[T], at: Option<usize>) -> bool {
+    at.and_then(|at| all.get(at)).is_some_and(|word| put(field, *word))
 }

@@ -3,17 +3,18 @@
 use super::body::{Actor, Body};
 use super::breeding::{Best, Breeder, Source};
 use super::field::Field;
+use super::grid::Area;
 use super::mind::{Feedback, Mind, Program, Storage};
 use super::near::Near;
 use super::params::{Activation, Params, StorageContent, SwapRule, Task};
 use super::population::{Dealt, Population};
 use super::program::{Compiler, placeholder};
-use super::switches::{ExplorationRule, FitnessRule, Neighbours, StorageValue};
+use super::switches::{ExplorationRule, FitnessRule, Neighbours, Sensing, StorageValue};
 use super::visited::Visited;
 use crate::bt::{Memory, tick_once};
 use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
-use crate::random::{Purpose, Seed, Stream, stream};
+use crate::random::{Purpose, Seed, Stream, chance, stream};
 use rand::RngExt;
 use serde::Serialize;
 
@@ -352,18 +353,19 @@ impl State {
         }
         let place = self.field.agents.point(agent);
         near.clear();
-        match params.neighbours {
-            Neighbours::Radius => {
-                self.field.agents.near(place, params.sense_radius, |other, _| near.add(other));
-                near.remove(agent);
-            }
-            Neighbours::Cell => self.field.in_cell(&self.field.agents, place, |other| near.add(other)),
+        let area = match params.neighbours {
+            Neighbours::Radius => Area::Disc(params.sense_radius),
+            Neighbours::Cell => self.field.area(Sensing::Cell, place, 0.0),
+        };
+        self.field.agents.near(place, area, |other, _| near.add(other));
+        if params.neighbours == Neighbours::Radius {
+            near.remove(agent);
         }
         if near.is_empty() && params.stagnation == 0 {
             return;
         }
         let mind = &mut self.minds[agent as usize];
-        near.retain(|_| mind.evolution.random_bool(params.interaction_probability));
+        near.retain(|_| chance(&mut mind.evolution, params.interaction_probability));
         if params.neighbours == Neighbours::Cell && near.ids().len() < 2 {
             near.clear();
         }

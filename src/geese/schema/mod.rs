@@ -25,6 +25,14 @@ pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
     world::PARAMETERS.iter().chain(evolution::PARAMETERS).chain(published::PARAMETERS)
 }
 
+/// The switches to the authors' published code: name and choices of each.
+pub fn switches() -> impl Iterator<Item = (&'static str, &'static [(&'static str, &'static str)])> {
+    published::PARAMETERS.iter().filter_map(|parameter| match parameter.kind {
+        Kind::Choice(choices) => Some((parameter.name, choices)),
+        _ => None,
+    })
+}
+
 impl Params {
     /// Compiles the grammar and checks what concerns several parameters; each alone is within its bounds.
     ///

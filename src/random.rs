@@ -129,6 +129,17 @@ mod tests {
     }
 
     #[test]
+    fn chance_draws_what_random_bool_of_rand_draws() {
+        let [mut ours, mut theirs] = [(); 2].map(|()| stream(Seed::new(3).expect("small"), Purpose::Evolution, 1));
+        for step in 0..=1000 {
+            let probability = f64::from(step) / 1000.0;
+            assert_eq!(chance(&mut ours, probability), theirs.random_bool(probability));
+        }
+        assert_eq!(ours, theirs, "both drew as often");
+        assert!(chance(&mut ours, 1.5) && !chance(&mut ours, f64::NAN) && !chance(&mut ours, -0.5));
+    }
+
+    #[test]
     fn seeds_above_two_to_the_53_are_refused() {
         assert!(Seed::new((1 << 53) - 1).is_some());
         assert!(Seed::new(1 << 53).is_none());

@@ -8,7 +8,7 @@ use swarm_playground::bt::xml::{Document, Element, Manifest, NodeKind, read, wri
 use swarm_playground::bt::{Builder, Tree};
 use swarm_playground::evolution::Limits;
 use swarm_playground::geese::{
-    Compiler, Controller, Detail, Leaf, Name, Object, Query, Tag, Task, World, export_agent, export_query,
+    Compiler, Controller, Detail, Leaf, Manner, Name, Object, Query, Tag, Task, World, export_agent, export_query,
     grammar_text, program_text, write_xml,
 };
 use swarm_playground::scenario::{Run, Scenario};
@@ -68,11 +68,11 @@ fn program_of(element: &Element) -> String {
         "Fallback" => format!("Sel[{}]", children()),
         "Inverter" => tagged(format!("not {}", children())),
         name => {
-            let argument = element.ports().next().map(|port| port.value.as_str());
-            let instance = argument.map_or(name.to_owned(), |argument| format!("{name}_{argument}"));
-            assert_eq!(element.name(), instance);
-            assert_eq!(element.ports().count(), usize::from(argument.is_some()));
-            tagged(argument.map_or(name.to_owned(), |argument| format!("{name} {argument}")))
+            // A place or an item, and how to move.
+            let arguments: Vec<&str> = element.ports().map(|port| port.value.as_str()).collect();
+            let words = [&[name], arguments.as_slice()].concat();
+            assert_eq!(element.name(), words.join("_"));
+            tagged(words.join(" "))
         }
     }
 }
@@ -181,10 +181,12 @@ fn every_leaf_that_can_be_written_is_read_back() {
                 if takes == (object == Object::Nothing) {
                     continue;
                 }
-                let mut builder = Builder::default();
-                builder.leaf(Leaf { name, object, tag, negated });
-                let tree = builder.finish().expect("a leaf is a tree");
-                assert_same(&write_xml(&tree, "One"), &program_text(&tree));
+                for manner in Manner::ALL.into_iter().filter(|&manner| manner == Manner::Avoid || name.moves()) {
+                    let mut builder = Builder::default();
+                    builder.leaf(Leaf { name, object, tag, negated, manner });
+                    let tree = builder.finish().expect("a leaf is a tree");
+                    assert_same(&write_xml(&tree, "One"), &program_text(&tree));
+                }
             }
         }
     }
@@ -201,10 +203,11 @@ mod laws {
 <node> ::= Seq[<S>] | Sel[<S>] | <call> | Cond(<call>) | Act(<call>)
 <call> ::= NeighbourObjects | not NeighbourObjects | NeighbourObjects <o> | not NeighbourObjects <o>
   | IsVisitedBefore <s> | not IsVisitedBefore <s> | IsCarrying Food | not IsCarryable Food | IsDropable <s>
-  | CanMove | not DummyNode | MoveTowards <s> | MoveAway <s> | Explore | CompositeSingleCarry Food
+  | CanMove | not DummyNode | MoveTowards <s> | MoveAway <s> <t> | Explore <t> | CompositeSingleCarry Food
   | not CompositeDrop Food
 <o> ::= <s> | Food
 <s> ::= Hub | Sites
+<t> ::= Normal | Avoid
 ";
 
     proptest! {

@@ -19,6 +19,8 @@ fn preset(name: &str) -> &'static str {
         "hand-tree" => include_str!("../scenarios/hand-tree.json"),
         "geese-bt" => include_str!("../scenarios/geese-bt.json"),
         "nest" => include_str!("../scenarios/nest.json"),
+        "published" => include_str!("../scenarios/published.json"),
+        "published-nest" => include_str!("../scenarios/published-nest.json"),
         "obstacles" => include_str!("../scenarios/obstacles.json"),
         other => panic!("no preset {other}"),
     }

@@ -31,7 +31,14 @@
  * @property {string[]} actions names by number, 0 is none
  * @property {{ half: number }} arena
  * @property {'food' | 'debris'} item what is carried
- * @property {{ kind: string, x: number, y: number, radius: number }[]} places
+ * @property {Place[]} places
+ *
+ * @typedef {object} Place
+ * @property {string} kind
+ * @property {number} x
+ * @property {number} y
+ * @property {number} radius
+ * @property {[[number, number], [number, number]]} [square] lower left and upper right corner, where places are cells
  *
  * @typedef {object} TreeNode a node in preorder; the index is the id
  * @property {number} id

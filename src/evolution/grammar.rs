@@ -150,7 +150,7 @@ impl Grammar {
     }
 
     /// The alternatives of a rule, in the order written.
-    pub fn alternatives(&self, rule: RuleId) -> impl Iterator<Item = AlternativeId> + use<> {
+    pub fn alternatives(&self, rule: RuleId) -> impl ExactSizeIterator<Item = AlternativeId> + Clone + use<> {
         let Rule { first, count, .. } = self.rules[usize::from(rule.0)];
         (first..first + count).map(AlternativeId)
     }
@@ -185,6 +185,12 @@ impl Grammar {
     #[must_use]
     pub fn least_depth(&self) -> u32 {
         self.rules[0].least_depth
+    }
+
+    /// The least depth of a derivation of `rule`, counted as if it were the start symbol; 0 when it can never end.
+    #[must_use]
+    pub fn least_depth_of(&self, rule: RuleId) -> u32 {
+        self.rules[usize::from(rule.0)].least_depth
     }
 
     /// An alternative as it would be written.

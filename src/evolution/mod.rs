@@ -5,11 +5,16 @@
 mod cases;
 mod genome;
 mod grammar;
+mod growth;
 mod mapping;
 mod operators;
 
 pub use cases::Cases;
 pub use genome::Genome;
 pub use grammar::{AlternativeId, Grammar, GrammarError, RuleId, Symbol, TerminalId};
+pub use growth::grow;
 pub use mapping::{Codons, Derivation, Invalid, Limits, Mapped, Mapper, Phenotype};
-pub use operators::{Mutating, Mutation, fittest, fixed_one_point, tournament, variable_one_point};
+pub use operators::{
+    Mutating, Mutation, exchange_tails, fittest, fixed_cuts, fixed_one_point, tournament, variable_cuts,
+    variable_one_point,
+};

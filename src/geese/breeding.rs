@@ -4,7 +4,10 @@ use super::brood::Brood;
 use super::mind::{Entry, Mind};
 use super::params::{CrossoverMode, GenomeSelection, MutationMode, Params, ParentSelection};
 use super::program::{Compiler, Survey};
-use crate::evolution::{Genome, Mutation, fittest, fixed_one_point, tournament, variable_one_point};
+use super::switches::{EliteRank, Init, LengthRule};
+use crate::evolution::{
+    Genome, Mutation, RuleId, exchange_tails, fittest, fixed_cuts, grow, tournament, variable_cuts,
+};
 use crate::random::{Stream, chance};
 use rand::RngExt;
 
@@ -31,6 +34,7 @@ pub struct Breeder {
     children: [Genome; 2],
     best: Genome,
     brood: Brood,
+    growing: Vec<(RuleId, u32)>,
 }
 
 /// The child that was chosen.
@@ -56,6 +60,7 @@ impl Breeder {
             children: [Genome::default(), Genome::default()],
             best: Genome::default(),
             brood: Brood::default(),
+            growing: Vec::new(),
         }
     }
 
@@ -64,22 +69,32 @@ impl Breeder {
         self.mutation = mutation(params);
     }
 
-    /// Draws genomes until one maps to a program.
+    /// Draws genomes until one maps to a program. Of the authors' code, which makes three and takes the first, one.
     ///
     /// Returns `None` when 100,000 draws gave none.
     pub fn genesis(&mut self, params: &Params, rng: &mut Stream, genome: &mut Genome) -> Option<Survey> {
+        let Self { compiler, growing, .. } = self;
         (0..100_000).find_map(|_| {
-            genome.randomise(rng, params.genome_length, params.codon_max);
-            self.compiler.survey(genome, None)
+            match params.init {
+                Init::RandomBits => genome.randomise(rng, params.genome_length, params.codon_max),
+                Init::DerivationTree => {
+                    let limits = [compiler.limits().max_depth, u32::from(params.genome_length)];
+                    if !grow(compiler.grammar(), rng, limits, params.codon_max, genome, growing) {
+                        return None;
+                    }
+                }
+            }
+            compiler.survey(genome, None)
         })
     }
 
     /// Breeds from the pool and the agent's own genome; returns the most diverse of elite and children, the first of
-    /// equal ones, or `None` when there is no elite and every child maps to nothing. With tournament selection it returns
-    /// the winner of a tournament by fitness: a child has not run yet, so it is given the mean of its parents' (our choice:
-    /// what is untried is neither favoured nor barred).
+    /// equal ones, or `None` when there is no elite and every child maps to nothing. Children that map to nothing count:
+    /// whether one drops them or ranks them last, as the authors' code does, makes no difference. With tournament selection
+    /// it returns the winner of a tournament by fitness: a child has not run yet, so it is given the mean of its parents'
+    /// (our choice: what is untried is neither favoured nor barred).
     ///
-    /// - `own`: the agent's mind; it stands last in the pool.
+    /// - `own`: the agent's mind; it stands last in the pool, unless it stays out of it.
     /// - `stored`: the agent's storage, to which the pool's [`Source::Stored`] points.
     /// - `minds`: all agents, to which [`Source::Met`] points.
     ///
@@ -96,10 +111,9 @@ impl Breeder {
             let mut genome = std::mem::take(&mut self.best);
             let survey = self.genesis(params, rng, &mut genome);
             self.best = genome;
-            let diversity = survey.map(|survey| self.compiler.diversity(survey.names));
-            return diversity.map(|diversity| Best { genome: &self.best, diversity });
+            return survey.map(|survey| Best { genome: &self.best, diversity: survey.diversity });
         }
-        let Self { compiler, mutation, pool, fitness, sorted, parents, children, best, brood } = self;
+        let Self { compiler, mutation, pool, fitness, sorted, parents, children, best, brood, .. } = self;
         let genome_of = |index: u32| match pool.get(index as usize) {
             Some(&Source::Stored(at)) => &stored[at as usize].genome,
             Some(&Source::Met(agent)) => &minds[agent as usize].genome,
@@ -115,19 +129,29 @@ impl Breeder {
             Source::Stored(at) => stored[at as usize].fitness,
             Source::Met(agent) => minds[agent as usize].fitness,
         }));
-        fitness.push(own.fitness);
+        if params.own_in_pool {
+            fitness.push(own.fitness);
+        }
 
-        // The elite is kept by fitness and stands before the children, so it wins where they are no more diverse.
+        if fitness.is_empty() {
+            return None;
+        }
+        // The elite is kept by fitness and stands before the children, so it wins where they are no better. The authors'
+        // code compares its fitness with the children's diversity.
         let mut found: Option<f64> = None;
         let by_fitness = params.genome_selection == GenomeSelection::Tournament;
         brood.clear();
+        let mut diversity = 0.0;
         fittest(fitness, params.elite_size as usize, sorted, parents);
         for &elite in parents.iter() {
-            let diversity = diversity_of(elite);
+            let rank = match params.elite_rank {
+                EliteRank::Diversity => diversity_of(elite),
+                EliteRank::Fitness => fitness[elite as usize],
+            };
             if by_fitness {
-                brood.add(genome_of(elite), diversity, fitness[elite as usize]);
-            } else if found.is_none_or(|best| diversity > best) {
-                found = Some(diversity);
+                brood.add(genome_of(elite), diversity_of(elite), fitness[elite as usize]);
+            } else if found.is_none_or(|best| rank > best) {
+                (found, diversity) = (Some(rank), diversity_of(elite));
                 best.clone_from(genome_of(elite));
             }
         }
@@ -140,7 +164,7 @@ impl Breeder {
             GenomeSelection::Random | GenomeSelection::Fresh => found.is_some(),
             GenomeSelection::Tournament => false,
         };
-        let mut bred = 0;
+        let (mut bred, mut dropped) = (0, 0);
         while bred < params.children && !is_decided(found) {
             let pair = match params.parent_selection {
                 ParentSelection::Truncation => {
@@ -152,11 +176,19 @@ impl Breeder {
             let inherited = pair.iter().map(|&parent| fitness[parent as usize]).sum::<f64>() / 2.0;
             let [first, second] = &mut *children;
             if chance(rng, params.crossover_probability) {
-                let crossover = match params.crossover_mode {
-                    CrossoverMode::VariableOnePoint => variable_one_point,
-                    CrossoverMode::FixedOnePoint => fixed_one_point,
+                let cuts = match params.crossover_mode {
+                    CrossoverMode::VariableOnePoint => variable_cuts(rng, [a, b]),
+                    CrossoverMode::FixedOnePoint => fixed_cuts(rng, [a, b]),
                 };
-                crossover(rng, [a, b], params.genome_length, [&mut *first, &mut *second]);
+                if params.length_rule == LengthRule::Redraw && dropped < MOST_DROPPED {
+                    let [head, tail] = [a, b].map(|parent| parent.codons.len());
+                    let lengths = [cuts[0] + tail.saturating_sub(cuts[1]), cuts[1] + head.saturating_sub(cuts[0])];
+                    if lengths.iter().any(|&length| length > usize::from(params.genome_length)) {
+                        dropped += 1;
+                        continue;
+                    }
+                }
+                exchange_tails([a, b], cuts, params.genome_length, [&mut *first, &mut *second]);
             } else {
                 first.clone_from(a);
                 second.clone_from(b);
@@ -164,11 +196,10 @@ impl Breeder {
             for child in [first, second].into_iter().take((params.children - bred) as usize) {
                 bred += 1;
                 let Some(survey) = compiler.survey(child, Some(mutation.begin(rng))) else { continue };
-                let diversity = compiler.diversity(survey.names);
                 if by_fitness {
-                    brood.add(child, diversity, inherited);
-                } else if found.is_none_or(|best| diversity > best) {
-                    found = Some(diversity);
+                    brood.add(child, survey.diversity, inherited);
+                } else if found.is_none_or(|best| survey.diversity > best) {
+                    (found, diversity) = (Some(survey.diversity), survey.diversity);
                     std::mem::swap(best, child);
                 }
                 if is_decided(found) {
@@ -177,11 +208,16 @@ impl Breeder {
             }
         }
         if by_fitness {
-            found = brood.winner(rng, params.tournament_size, best);
+            let diversity = brood.winner(rng, params.tournament_size, best)?;
+            return Some(Best { genome: best, diversity });
         }
-        found.map(|diversity| Best { genome: best, diversity })
+        found.map(|_| Best { genome: best, diversity })
     }
 }
+
+/// So many pairs may be dropped in one brood for their length; the rest is cut. Two genomes of full length have fitting
+/// children only when they are cut at the same place, which takes as many draws as they have used codons.
+const MOST_DROPPED: u32 = 100_000;
 
 /// How many of a pool become parents: the share, rounded down, but two at least.
 fn parent_count(pool: usize, share: f64) -> usize {

@@ -75,7 +75,7 @@ impl Derived {
             used: steps.len(),
             depth,
             phenotype: survey.map(|_| controller.text()),
-            diversity: survey.map(|survey| compiler.diversity(survey.names)),
+            diversity: survey.map(|survey| survey.diversity),
             steps,
             nodes: survey.and_then(|_| controller.tree().map(shown_nodes)),
             machine: match &controller {
@@ -158,8 +158,8 @@ fn nodes_of_tokens(tokens: &[Token]) -> Vec<u32> {
                 pending_leaf = None;
                 next - 1
             }
-            // A closing tag or an argument belongs to the leaf just read.
-            Token::Object(_) | Token::CloseTag => next.saturating_sub(1),
+            // A closing tag, an argument or a manner belongs to the leaf just read.
+            Token::Object(_) | Token::Manner(_) | Token::CloseTag => next.saturating_sub(1),
         };
         debug_assert_eq!(nodes.len(), index);
         nodes.push(node);

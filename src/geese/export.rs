@@ -6,7 +6,7 @@
 
 use super::controller::Controller;
 use super::inspect::Query;
-use super::leaf::{Leaf, Name, Object, Tag, Takes};
+use super::leaf::{Leaf, Manner, Name, Object, Tag, Takes};
 use super::machine::Machine;
 use super::world::World;
 use crate::bt::{Kind, NodeId, Tree};
@@ -60,7 +60,9 @@ pub fn write_xml(tree: &Tree<Leaf>, id: &str) -> String {
     let mut models = String::new();
     for name in Name::ALL {
         if tree.nodes().iter().any(|node| matches!(&node.kind, Kind::Leaf(leaf) if leaf.name == name)) {
-            models.push_str(&model(name));
+            let is_plain = |leaf: &Leaf| leaf.name == name && leaf.manner == Manner::Normal;
+            let plain = tree.nodes().iter().any(|node| matches!(&node.kind, Kind::Leaf(leaf) if is_plain(leaf)));
+            models.push_str(&model(name, plain));
         }
     }
     format!(
@@ -86,9 +88,15 @@ fn element(tree: &Tree<Leaf>, node: NodeId, indent: &str) -> String {
 fn leaf_element(leaf: Leaf, indent: &str) -> String {
     let (name, object, port) = (leaf.name.text(), leaf.object.text(), port(leaf.name));
     let tag = if leaf.tag == Tag::None { String::new() } else { format!(" _tag=\"{}\"", leaf.tag.text()) };
+    let how = if leaf.manner == Manner::Normal { "_Normal" } else { "" };
     let argument = match leaf.object {
         Object::Nothing => String::new(),
-        _ => format!(" name=\"{name}_{object}\" {port}=\"{object}\""),
+        _ => format!(" name=\"{name}_{object}{how}\" {port}=\"{object}\""),
+    };
+    let argument = match (leaf.manner, leaf.object) {
+        (Manner::Avoid, _) => argument,
+        (Manner::Normal, Object::Nothing) => format!(" name=\"{name}{how}\" manner=\"Normal\""),
+        (Manner::Normal, _) => format!("{argument} manner=\"Normal\""),
     };
     if leaf.negated {
         format!("{indent}<Inverter{tag}>\n{indent}  <{name}{argument}/>\n{indent}</Inverter>\n")
@@ -107,14 +115,20 @@ fn port(name: Name) -> &'static str {
     }
 }
 
-fn model(name: Name) -> String {
+/// - `plain`: whether a leaf of that name moves without looking; its model then has a port for the manner.
+fn model(name: Name, plain: bool) -> String {
     let (id, port) = (name.text(), port(name));
     let kind = if name.is_action() { "Action" } else { "Condition" };
     let default = if name.takes() == Takes::Object { " default=\"\"" } else { "" };
-    if port.is_empty() {
+    let mut ports = String::new();
+    if !port.is_empty() {
+        ports = format!("      <input_port name=\"{port}\" type=\"std::string\"{default}/>\n");
+    }
+    if plain {
+        ports.push_str("      <input_port name=\"manner\" type=\"std::string\" default=\"\"/>\n");
+    }
+    if ports.is_empty() {
         return format!("    <{kind} ID=\"{id}\"/>\n");
     }
-    format!(
-        "    <{kind} ID=\"{id}\">\n      <input_port name=\"{port}\" type=\"std::string\"{default}/>\n    </{kind}>\n"
-    )
+    format!("    <{kind} ID=\"{id}\">\n{ports}    </{kind}>\n")
 }

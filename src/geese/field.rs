@@ -1,8 +1,10 @@
 //! What lies in the arena: hub, sites, boundary, obstacles, traps and items; and where the agents stand.
 
-use super::grid::{Grid, squared_distance};
+use super::grid::{Area, Grid, squared_distance};
+use super::lattice::Lattice;
 use super::leaf::Object;
 use super::params::{ItemPlacement, Params, StartPositions, Task};
+use super::switches::{Footprint, NestSink, Rounding, Sensing, SitePlacement};
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, direction, stream};
 use rand::RngExt;
@@ -50,6 +52,8 @@ pub enum ItemState {
     Carried,
     /// Where it belongs, for good.
     Delivered,
+    /// Swallowed, unscored, by the last of the places on the boundary.
+    Lost,
 }
 
 /// The arena with all that agents sense and move.
@@ -63,8 +67,14 @@ pub struct Field {
     pub hub: Disc,
     /// Where food lies at the start; none in the nest.
     pub sites: Vec<Disc>,
-    /// Nest: debris belongs outside this disc around the origin.
+    /// Nest: debris belongs outside this disc around the origin, or in one of the sinks if there are any.
     pub inside: Disc,
+    /// Nest: the places on the boundary that take debris; the last swallows it unscored.
+    pub sinks: Vec<Disc>,
+    /// The cells of the arena, and the ground that places take up.
+    pub lattice: Lattice,
+    /// Whether whoever sensed last sensed an item; only shared percepts set it.
+    pub perceived: bool,
     /// What bars the way.
     pub obstacles: Vec<Disc>,
     /// What kills on contact.
@@ -76,11 +86,12 @@ pub struct Field {
     states: Vec<ItemState>,
     delivered: u32,
     carried: u32,
+    lost: u32,
 }
 
 impl Field {
-    /// Places sites at random angles, items in them (in the nest: in the hub), obstacles and traps, and the agents at
-    /// the hub's centre.
+    /// Places sites, items in them (in the nest: in the hub), places that take debris, obstacles and traps, and the
+    /// agents.
     ///
     /// # Errors
     /// The field's name and why: no room for so many obstacles or traps.
@@ -93,8 +104,11 @@ impl Field {
         let sites: Vec<Disc> = match params.task {
             Task::Nest => Vec::new(),
             Task::Forage => (0..params.sites)
-                .map(|_| {
-                    let [x, y] = direction(placement);
+                .map(|id| {
+                    let [x, y] = match params.site_placement {
+                        SitePlacement::Ring => direction(placement),
+                        SitePlacement::Fixed => [[-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0], [1.0, 1.0]][id as usize % 4],
+                    };
                     Disc { centre: [x * params.site_distance, y * params.site_distance], radius: params.site_radius }
                 })
                 .collect(),
@@ -114,14 +128,24 @@ impl Field {
                 StartPositions::Hub => hub.centre,
                 StartPositions::Uniform => [0, 1].map(|_| (placement.random::<f64>() * 2.0 - 1.0) * params.half()),
             };
-            agents.put(id, start);
+            // On whole coordinates the upper edge is left out, as in the authors' code.
+            let whole = |value: f64| value.floor().max(-params.half().floor());
+            agents.put(id, if params.rounding == Rounding::None { start } else { start.map(whole) });
         }
+        let lattice = Lattice::new(params);
+        let sinks = match (params.task, params.nest_sink) {
+            (Task::Nest, NestSink::Cells) => sinks(params, &lattice, &hub, placement),
+            _ => Vec::new(),
+        };
         let mut field = Self {
             task: params.task,
             half: params.half(),
             hub,
             sites,
             inside: Disc { centre: [0.0; 2], radius: params.boundary_radius },
+            sinks,
+            lattice,
+            perceived: false,
             obstacles: Vec::new(),
             traps: Vec::new(),
             agents,
@@ -129,6 +153,7 @@ impl Field {
             states: vec![ItemState::Free; params.item_count() as usize],
             delivered: 0,
             carried: 0,
+            lost: 0,
         };
         field.place_terrain(params, &mut stream(seed, Purpose::Terrain, 0))?;
         Ok(field)
@@ -136,7 +161,7 @@ impl Field {
 
     /// Obstacles and traps at random places, clear of hub, sites and each other by more than a step.
     fn place_terrain(&mut self, params: &Params, rng: &mut Stream) -> Result<(), (&'static str, String)> {
-        let mut taken: Vec<Disc> = self.sites.iter().copied().chain([self.hub]).collect();
+        let mut taken = [self.sites.as_slice(), &self.sinks, &[self.hub]].concat();
         if params.start_positions == StartPositions::Uniform {
             // Nobody starts in an obstacle or a trap.
             taken.extend((0..params.agents).map(|id| Disc { centre: self.agents.point(id), radius: 0.0 }));
@@ -153,7 +178,12 @@ impl Field {
                         let apart = other.radius + radius + gap;
                         squared_distance(other.centre, centre) > apart * apart
                     };
-                    taken.iter().all(clear).then_some(Disc { centre, radius })
+                    let disc = Disc { centre, radius };
+                    let apart = |other: &Disc| match params.footprint {
+                        Footprint::Disc => clear(other),
+                        Footprint::Cells => !self.lattice.share(other, &disc),
+                    };
+                    taken.iter().all(apart).then_some(disc)
                 });
                 let Some(disc) = found else {
                     return Err((name, format!("expected room for {count} of them, found room for {placed}")));
@@ -187,16 +217,39 @@ impl Field {
     #[must_use]
     pub fn accepts(&self, place: [f64; 2]) -> bool {
         match self.task {
-            Task::Forage => self.hub.contains(place),
-            Task::Nest => !self.inside.contains(place),
+            Task::Forage => self.covers(&self.hub, place),
+            Task::Nest if self.sinks.is_empty() => !self.inside.contains(place),
+            Task::Nest => self.sinks.iter().any(|sink| self.covers(sink, place)),
         }
     }
 
-    /// The nearest free item within `reach` of `place`; of equally near ones that with the smallest number.
+    /// Whether a point is on the ground of a place.
     #[must_use]
-    pub fn nearest_item(&self, place: [f64; 2], reach: f64) -> Option<u32> {
+    pub fn covers(&self, place: &Disc, point: [f64; 2]) -> bool {
+        self.lattice.covers(place, point)
+    }
+
+    /// True where the authors' code lets nobody put an item down: debris in the hub, where it comes from. Its other such
+    /// places are those with an obstacle, which nobody enters, and for food the boundary, which foraging does not have.
+    #[must_use]
+    pub fn refuses(&self, place: [f64; 2]) -> bool {
+        self.task == Task::Nest && !self.accepts(place) && self.covers(&self.hub, place)
+    }
+
+    /// Where an agent at `place` senses items and others: within `radius`, or in its cell.
+    #[must_use]
+    pub fn area(&self, sensing: Sensing, place: [f64; 2], radius: f64) -> Area {
+        match sensing {
+            Sensing::Disc => Area::Disc(radius),
+            Sensing::Cell => Area::Cell(self.lattice.around(place)),
+        }
+    }
+
+    /// The nearest free item of an area around `place`; of equally near ones that with the smallest number.
+    #[must_use]
+    pub fn nearest_item(&self, place: [f64; 2], area: Area) -> Option<u32> {
         let mut nearest: Option<(f64, u32)> = None;
-        self.items.near(place, reach, |item, distance| {
+        self.items.near(place, area, |item, distance| {
             if nearest.is_none_or(|best| (distance, item) < best) {
                 nearest = Some((distance, item));
             }
@@ -215,8 +268,10 @@ impl Field {
     pub fn put_down(&mut self, item: u32, place: [f64; 2]) {
         self.carried -= 1;
         if self.accepts(place) {
-            self.states[item as usize] = ItemState::Delivered;
-            self.delivered += 1;
+            let scored = self.sinks.len().saturating_sub(1);
+            let is_lost = scored > 0 && !self.sinks[..scored].iter().any(|sink| self.covers(sink, place));
+            self.states[item as usize] = if is_lost { ItemState::Lost } else { ItemState::Delivered };
+            *(if is_lost { &mut self.lost } else { &mut self.delivered }) += 1;
         } else {
             self.states[item as usize] = ItemState::Free;
             self.items.put(item, place);
@@ -235,6 +290,12 @@ impl Field {
         self.delivered
     }
 
+    /// Items swallowed so far without being scored.
+    #[must_use]
+    pub fn lost(&self) -> u32 {
+        self.lost
+    }
+
     /// Items with agents now.
     #[must_use]
     pub fn carried(&self) -> u32 {
@@ -243,9 +304,8 @@ impl Field {
 
     /// Feeds places, items and the positions of the agents.
     pub fn feed(&self, hash: &mut Fingerprint) {
-        for disc in &self.sites {
-            disc.feed(hash);
-        }
+        self.sites.iter().for_each(|disc| disc.feed(hash));
+        self.sinks.iter().for_each(|disc| disc.feed(hash));
         hash.f64(self.hub.radius);
         hash.f64(self.half);
         for disc in self.obstacles.iter().chain(&self.traps) {
@@ -260,9 +320,34 @@ impl Field {
                 self.items.point(id as u32).iter().for_each(|&value| hash.f64(value));
             }
         }
-        hash.u32(self.delivered);
+        hash.u64(u64::from(self.delivered) | u64::from(self.lost) << 32 | u64::from(self.perceived) << 63);
     }
 }
+
+/// The places on the boundary that take debris: five just outside the circle, in directions that are multiples of 10
+/// degrees and in cells of their own, and one beyond the circle on the diagonal.
+///
+/// Source: the authors' code. Where an arena has too few cells, they share them (our choice).
+fn sinks(params: &Params, lattice: &Lattice, hub: &Disc, rng: &mut Stream) -> Vec<Disc> {
+    let around = params.boundary_radius + 1.0;
+    let mut sinks: Vec<Disc> = Vec::new();
+    for _ in 0..5 {
+        let mut sink = Disc { centre: [around, 0.0], radius: SINK_RADIUS };
+        for _ in 0..100 {
+            let angle = f64::from(rng.random_range(0..36_u32)) * std::f64::consts::PI / 18.0;
+            sink.centre = [(around * libm::cos(angle)).trunc(), (around * libm::sin(angle)).trunc()];
+            if !lattice.share(hub, &sink) && !sinks.iter().any(|other| lattice.share(other, &sink)) {
+                break;
+            }
+        }
+        sinks.push(sink);
+    }
+    sinks.push(Disc { centre: [params.boundary_radius; 2], radius: SINK_RADIUS });
+    sinks
+}
+
+/// A place on the boundary is one cell, or (our choice) a disc of that width.
+const SINK_RADIUS: f64 = 5.0;
 
 /// A point drawn uniformly from a disc.
 fn within(disc: &Disc, rng: &mut Stream) -> [f64; 2] {

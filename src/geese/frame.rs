@@ -40,6 +40,9 @@ struct Place {
     x: f64,
     y: f64,
     radius: f64,
+    /// Lower left and upper right corner where places are cells.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    square: Option<[[f64; 2]; 2]>,
 }
 
 const COUNTS: &[&str] = &["tick", "delivered", "carried", "free", "items", "programs", "swaps", "alive"];
@@ -69,14 +72,24 @@ impl Layout {
         let agents = block(COUNTS.len(), world.params().agents as usize, AGENT);
         let items = block(agents.offset + agents.count * agents.stride, world.params().item_count() as usize, ITEM);
         let field = &world.state().field;
-        let place = |kind, disc: Disc| Place { kind, x: disc.centre[0], y: disc.centre[1], radius: disc.radius };
-        let mut places = vec![place("hub", field.hub)];
-        if field.task == Task::Nest {
-            places.push(place("boundary", field.inside));
+        let ring = [field.inside];
+        let is_ring = field.task == Task::Nest && field.sinks.is_empty();
+        let groups: [(_, &[Disc]); 6] = [
+            ("hub", &[field.hub]),
+            ("boundary", if is_ring { &ring } else { &[] }),
+            ("boundary", &field.sinks),
+            ("site", &field.sites),
+            ("obstacle", &field.obstacles),
+            ("trap", &field.traps),
+        ];
+        let mut places = Vec::new();
+        for (kind, discs) in groups {
+            for disc in discs {
+                let ([x, y], is_circle) = (disc.centre, is_ring && kind == "boundary");
+                let square = if is_circle { None } else { field.lattice.square(disc) };
+                places.push(Place { kind, x, y, radius: disc.radius, square });
+            }
         }
-        places.extend(field.sites.iter().map(|disc| place("site", *disc)));
-        places.extend(field.obstacles.iter().map(|disc| place("obstacle", *disc)));
-        places.extend(field.traps.iter().map(|disc| place("trap", *disc)));
         let names = actions().map(|(name, object)| {
             let gap = if object == Object::Nothing { "" } else { " " };
             format!("{}{gap}{}", name.text(), object.text())
@@ -111,7 +124,7 @@ pub fn fill_frame(world: &World, frame: &mut Vec<f32>) {
             state.tick,
             delivered,
             carried,
-            items - delivered - carried,
+            items - delivered - carried - field.lost(),
             items,
             state.program_count(),
             state.swaps,

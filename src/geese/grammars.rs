@@ -4,7 +4,8 @@ use super::params::Task;
 use std::borrow::Cow;
 
 /// The PPA grammar of BeTr-GEESE (BNF-II), after the paper's appendix B. The paper elides the alternatives of pc, p, k
-/// and action; they are those of the authors' grammar for foraging. The order matters: a codon chooses by number.
+/// and action; they are those of the authors' grammar for foraging. The order matters: a codon chooses by number. Actions
+/// and objects follow.
 const PPA: &str = "\
 <S> ::= <root>
 <root> ::= <sequence> | <selector>
@@ -23,8 +24,25 @@ const PPA: &str = "\
 <constraints> ::= Seq[<constraint>]
 <constraint> ::= <constraint> Con(<k>) | Con(<k>)
 <k> ::= CanMove | IsCarryable <d> | IsDropable <s>
+";
+/// Its actions.
+const PPA_ACTIONS: &str = "\
 <action> ::= MoveTowards <s> | Explore | CompositeSingleCarry <d> | CompositeDrop <d> | MoveAway <s>
-<o> ::= <s> | <d>
+";
+
+const OBJECTS: &str = "<o> ::= <s> | <d>\n";
+
+/// Foraging's actions in the authors' code of 2022: another order, and two kinds of items, one of which is nowhere.
+const FORAGE_2022: &str = "\
+<action> ::= MoveTowards <s> | Explore | MoveAway <s> | CompositeSingleCarry <d> | CompositeDrop <d>
+";
+
+/// The actions of nest maintenance in the authors' code of 2022: what moves may look ahead or not.
+const NEST_2022: &str = "\
+<action> ::= <motion> | <nonmotion>
+<motion> ::= MoveTowards <s> <t> | Explore <t> | MoveAway <s> <t>
+<t> ::= Normal | Avoid
+<nonmotion> ::= CompositeSingleCarry <d> | CompositeDrop <d>
 ";
 
 /// The nominal grammar of GEESE-BT (BNF-I), as in the authors' public grammars; the paper does not print it.
@@ -88,26 +106,31 @@ const HAND_MACHINE: &str = "\
   If(not NeighbourObjects Source IsVisitedBefore Source equals false) Goto(1, Explore)
 ";
 
-/// The rules that a scenario's grammar stands for: those of the task for the words `ppa`, `nominal`, `machine`,
-/// `hand-tree` and `hand-machine`, otherwise the text itself.
+/// The rules that a scenario's grammar stands for: those of the task for the words `ppa`, `nominal`, `published` (the
+/// authors' code of 2022), `machine`, `hand-tree` and `hand-machine`, otherwise the text itself.
 ///
 /// The places and items are the task's own; the paper prints Food and Debris for both tasks, and no boundary (our
 /// choice).
 #[must_use]
 pub fn grammar_text(grammar: &str, task: Task) -> Cow<'_, str> {
-    let (rules, last) = match grammar.trim() {
-        "ppa" => (PPA, "<successnode> ::= Post(DummyNode)\n"),
-        "nominal" => (NOMINAL, ""),
+    let dummy = "<successnode> ::= Post(DummyNode)\n";
+    let (places, item, actions) = match task {
+        Task::Forage => ("Hub | Sites", "Food", FORAGE_2022),
+        Task::Nest => ("Hub | Boundary", "Debris", NEST_2022),
+    };
+    let bind = |rules: &str, item: &str, last: &str| format!("{rules}<s> ::= {places}\n<d> ::= {item}\n{last}");
+    Cow::Owned(match grammar.trim() {
+        "ppa" => bind(&format!("{PPA}{PPA_ACTIONS}{OBJECTS}"), item, dummy),
+        "nominal" => bind(NOMINAL, item, ""),
+        "published" => {
+            let items = if task == Task::Forage { "Food | Debris" } else { item };
+            bind(&format!("{PPA}{actions}{OBJECTS}"), items, dummy)
+        }
         "machine" => return bound(MACHINE, task),
         "hand-tree" => return bound(HAND_TREE, task),
         "hand-machine" => return bound(HAND_MACHINE, task),
         _ => return Cow::Borrowed(grammar),
-    };
-    let (places, item) = match task {
-        Task::Forage => ("Hub | Sites", "Food"),
-        Task::Nest => ("Hub | Boundary", "Debris"),
-    };
-    Cow::Owned(format!("{rules}<s> ::= {places}\n<d> ::= {item}\n{last}"))
+    })
 }
 
 /// Puts the task's own words in the place of Source, Sink, Far (the place that is not the hub) and Item.

@@ -16,6 +16,15 @@ pub struct Grid {
     points: Vec<[f64; 2]>,
 }
 
+/// Where to look for points.
+#[derive(Clone, Copy, Debug)]
+pub enum Area {
+    /// Within a radius of the place, the rim included.
+    Disc(f64),
+    /// In a cell, by its lower left and its upper right corner.
+    Cell([[f64; 2]; 2]),
+}
+
 const NONE: u32 = u32::MAX;
 /// The side of a cell: the default sensing radius, so that a search looks at nine cells at most.
 const CELL: f64 = 5.0;
@@ -85,24 +94,35 @@ impl Grid {
         self.cells[id as usize] = NONE;
     }
 
-    /// Calls `found` with id and squared distance of every point within `radius` of `place`; in no useful order.
+    /// Calls `found` with id and squared distance from `place` of every point of the area around it; in no useful order.
     #[inline]
-    pub fn near(&self, place: [f64; 2], radius: f64, mut found: impl FnMut(u32, f64)) {
-        let within = radius * radius;
-        let (left, right) = (self.axis(place[0] - radius), self.axis(place[0] + radius));
-        let (bottom, top) = (self.axis(place[1] - radius), self.axis(place[1] + radius));
+    pub fn near(&self, place: [f64; 2], area: Area, mut found: impl FnMut(u32, f64)) {
+        let (low, high, within) = match area {
+            Area::Disc(radius) => {
+                (place.map(|value| value - radius), place.map(|value| value + radius), radius * radius)
+            }
+            Area::Cell([low, high]) => (low, high, f64::INFINITY),
+        };
+        let (left, right) = (self.axis(low[0]), self.axis(high[0]));
+        let (bottom, top) = (self.axis(low[1]), self.axis(high[1]));
         for row in bottom..=top {
             for cell in row * self.side + left..=row * self.side + right {
                 let mut id = self.heads[cell as usize];
                 while id != NONE {
-                    let distance = squared_distance(self.points[id as usize], place);
-                    if distance <= within {
+                    let point = self.points[id as usize];
+                    let distance = squared_distance(point, place);
+                    if distance <= within && (within.is_finite() || self.is_between(point, low, high)) {
                         found(id, distance);
                     }
                     id = self.next[id as usize];
                 }
             }
         }
+    }
+
+    /// Whether a point lies in a cell: on its lower and left side, on the others only where the arena ends.
+    fn is_between(&self, point: [f64; 2], low: [f64; 2], high: [f64; 2]) -> bool {
+        (0..2).all(|axis| point[axis] >= low[axis] && (point[axis] < high[axis] || high[axis] >= self.half))
     }
 
     /// The cell of a coordinate along one axis; places outside the arena count to its outermost cells.
@@ -138,7 +158,7 @@ mod tests {
         for id in 0..400 {
             for radius in [0.5, 5.0, 17.0, 200.0] {
                 let mut found = Vec::new();
-                grid.near(grid.point(id), radius, |other, _| found.push(other));
+                grid.near(grid.point(id), Area::Disc(radius), |other, _| found.push(other));
                 found.sort_unstable();
                 let all = (0..400).filter(|&other| grid.contains(other));
                 let expected: Vec<u32> =

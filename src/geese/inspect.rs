@@ -82,7 +82,7 @@ struct Agent {
     inside: Vec<&'static str>,
     fitness: f64,
     diversity: f64,
-    exploration: usize,
+    exploration: u32,
     feedback: i32,
     prospective: u32,
     /// As the agent's last tick counted it: agents that moved later in the step may have delivered more.
@@ -281,8 +281,8 @@ fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
     let position = state.field.agents.point(id);
     let field = &state.field;
     let stands_in = |place: Object| match place {
-        Object::Hub => field.hub.contains(position),
-        Object::Sites => field.sites.iter().any(|disc| disc.contains(position)),
+        Object::Hub => field.covers(&field.hub, position),
+        Object::Sites => field.sites.iter().any(|disc| field.covers(disc, position)),
         Object::Boundary => field.sink() == Object::Boundary && field.accepts(position),
         _ => false,
     };
@@ -301,7 +301,7 @@ fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
         inside: places(&stands_in),
         fitness: mind.fitness,
         diversity: mind.diversity,
-        exploration: mind.visited.count(),
+        exploration: mind.exploration(params.exploration),
         feedback: mind.feedback,
         prospective: u32::from(body.load.is_some()),
         task: mind.task,

@@ -2,13 +2,13 @@
 //!
 //! ```text
 //! node := Seq[ nodes ]  |  Sel[ nodes ]  |  TAG( call )  |  call
-//! call := [not] NAME [argument]
+//! call := [not] NAME [argument] [Avoid | Normal]
 //! TAG  := Cond | Pre | Con | Post | Act
 //! ```
 //! The check works rule by rule: each rule stands for nodes, a call, a place, an item, or an object (either), and
 //! each alternative must read as that. So a mapping that ends always gives a tree.
 
-use super::leaf::{Name, Object, Tag, Takes};
+use super::leaf::{Manner, Name, Object, Tag, Takes};
 use crate::evolution::{AlternativeId, Grammar, RuleId, Symbol};
 use crate::nearest::nearest;
 use crate::place::Place;
@@ -33,6 +33,8 @@ pub enum Token {
     Name(Name),
     /// An argument.
     Object(Object),
+    /// How to move.
+    Manner(Manner),
 }
 
 /// What a rule stands for.
@@ -43,6 +45,7 @@ enum Category {
     Place,
     Item,
     Object,
+    Manner,
 }
 
 impl Category {
@@ -73,6 +76,7 @@ impl Category {
             Self::Place => "a place",
             Self::Item => "an item",
             Self::Object => "a place or an item",
+            Self::Manner => "Avoid or Normal",
         }
     }
 }
@@ -184,6 +188,7 @@ fn guess(grammar: &Grammar, alternative: AlternativeId, known: &[Option<Category
             let tokens: Vec<Token> = tokens.into_iter().map(|(token, _)| token).collect();
             match tokens.as_slice() {
                 [Token::Object(object)] if rest.is_empty() => Some(Category::of_object(*object)),
+                [Token::Manner(_)] if rest.is_empty() => Some(Category::Manner),
                 [Token::Not, Token::Name(name), after @ ..] | [Token::Name(name), after @ ..] => {
                     let is_node =
                         |rule: &RuleId| matches!(known[usize::from(rule.0)], Some(Category::Nodes | Category::Call));
@@ -191,7 +196,20 @@ fn guess(grammar: &Grammar, alternative: AlternativeId, known: &[Option<Category
                         [(Symbol::NonTerminal(rule), _), ..] if is_node(rule) => 0,
                         _ => usize::from(name.takes() != Takes::Nothing),
                     };
-                    Some(if after.len() + rest.len() <= argument { Category::Call } else { Category::Nodes })
+                    let says_how = match rest.last() {
+                        Some((Symbol::NonTerminal(rule), _)) if name.moves() => {
+                            known[usize::from(rule.0)]? == Category::Manner
+                        }
+                        _ => matches!(after.last(), Some(Token::Manner(_))),
+                    };
+                    let argument = argument + usize::from(name.moves() && says_how);
+                    // Between two arguments stands a blank.
+                    let is_blank = |(symbol, _): &&(Symbol, Place)| match symbol {
+                        Symbol::Terminal(id) => grammar.terminals()[usize::from(id.0)].trim().is_empty(),
+                        Symbol::NonTerminal(_) => false,
+                    };
+                    let words = rest.len() - rest.iter().filter(is_blank).count();
+                    Some(if after.len() + words <= argument { Category::Call } else { Category::Nodes })
                 }
                 _ => Some(Category::Nodes),
             }
@@ -218,7 +236,7 @@ fn check(grammar: &Grammar, alternative: AlternativeId, categories: &[Category])
             }
         }
     }
-    if let [(Item::Rule(..) | Item::Token(Token::Object(_)), _)] = items.as_slice() {
+    if let [(Item::Rule(..) | Item::Token(Token::Object(_) | Token::Manner(_)), _)] = items.as_slice() {
         return Ok(()); // the rule's category covers it
     }
     let mut checker = Checker { grammar, items: &items, next: 0, end: end_place(&items) };
@@ -294,13 +312,20 @@ impl Checker<'_> {
     }
 
     fn call(&mut self) -> Result<(), LanguageError> {
+        let moves = self.name_and_argument()?.moves();
+        let says_how = matches!(self.peek(), Some(Item::Token(Token::Manner(_)) | Item::Rule(_, Category::Manner)));
+        self.next += usize::from(moves && says_how);
+        Ok(())
+    }
+
+    fn name_and_argument(&mut self) -> Result<Name, LanguageError> {
         if let Some(Item::Token(Token::Not)) = self.peek() {
             self.next += 1;
         }
-        let Some(Item::Token(Token::Name(name))) = self.peek() else { return self.fault("a condition or action") };
+        let Some(Item::Token(Token::Name(name))) = self.peek() else { return Err(self.error("a condition or action")) };
         self.next += 1;
         let wanted = match name.takes() {
-            Takes::Nothing => return Ok(()),
+            Takes::Nothing => return Ok(name),
             Takes::Place => Category::Place,
             Takes::Item => Category::Item,
             Takes::Object => Category::Object,
@@ -312,12 +337,12 @@ impl Checker<'_> {
         };
         if found.is_some_and(|found| found.join(wanted) == Some(wanted)) {
             self.next += 1;
-            return Ok(());
+            return Ok(name);
         }
         if wanted == Category::Object {
-            return Ok(()); // without an argument it means any object
+            return Ok(name); // without an argument it means any object
         }
-        self.fault(&format!("{} after {}", wanted.text(), name.text()))
+        Err(self.error(&format!("{} after {}", wanted.text(), name.text())))
     }
 
     fn expect(&mut self, token: Token, text: &str) -> Result<(), LanguageError> {
@@ -331,6 +356,10 @@ impl Checker<'_> {
     }
 
     fn fault(&self, expected: &str) -> Result<(), LanguageError> {
+        Err(self.error(expected))
+    }
+
+    fn error(&self, expected: &str) -> LanguageError {
         let (found, place) = match self.items.get(self.next) {
             None => ("the end of the alternative".to_owned(), self.end),
             Some((Item::Token(token), place)) => (token_text(*token), *place),
@@ -338,7 +367,7 @@ impl Checker<'_> {
                 (format!("<{}>, {}", self.grammar.rule_name(*rule), category.text()), *place)
             }
         };
-        Err(LanguageError { place, message: format!("expected {expected}, found {found}") })
+        LanguageError { place, message: format!("expected {expected}, found {found}") }
     }
 }
 
@@ -352,6 +381,7 @@ fn token_text(token: Token) -> String {
         Token::Not => "not".to_owned(),
         Token::Name(name) => name.text().to_owned(),
         Token::Object(object) => object.text().to_owned(),
+        Token::Manner(manner) => manner.text().to_owned(),
     }
 }
 
@@ -410,10 +440,12 @@ fn read_word(word: &str, next: Option<char>) -> Result<(Token, usize), String> {
     }
     let name = Name::ALL.into_iter().find(|name| name.text() == word).map(Token::Name);
     let object = Object::ALL.into_iter().find(|object| object.text() == word).map(Token::Object);
-    name.or(object).map(|token| (token, 0)).ok_or_else(|| {
+    let manner = Manner::ALL.into_iter().find(|manner| manner.text() == word).map(Token::Manner);
+    name.or(object).or(manner).map(|token| (token, 0)).ok_or_else(|| {
         let words = Name::ALL.iter().map(|name| name.text());
         let words = words.chain(Object::ALL.iter().map(|object| object.text()));
-        let words = words.chain(Tag::ALL.iter().map(|tag| tag.text())).chain(["Seq", "Sel", "not"]);
+        let words = words.chain(Tag::ALL.iter().map(|tag| tag.text()));
+        let words = words.chain(Manner::ALL.iter().map(|manner| manner.text())).chain(["Seq", "Sel", "not"]);
         match nearest(word, words) {
             Some(near) => format!("unknown word \"{word}\", did you mean \"{near}\"?"),
             None => format!(

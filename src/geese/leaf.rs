@@ -97,6 +97,12 @@ impl Name {
         self >= Self::MoveTowards
     }
 
+    /// True for the behaviours that move, which take a [`Manner`] as their last word.
+    #[must_use]
+    pub fn moves(self) -> bool {
+        matches!(self, Self::MoveTowards | Self::MoveAway | Self::Explore)
+    }
+
     /// The name's bit in a set of names. `DummyNode` has none: it does not count for diversity.
     #[must_use]
     pub fn bit(self) -> u16 {
@@ -187,6 +193,29 @@ impl Tag {
     }
 }
 
+/// How a moving behaviour deals with what is ahead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Manner {
+    /// It keeps clear of obstacles and traps, in PPA form.
+    Avoid,
+    /// It does not look.
+    Normal,
+}
+
+impl Manner {
+    /// Every manner a grammar may write.
+    pub const ALL: [Self; 2] = [Self::Avoid, Self::Normal];
+
+    /// The manner as grammars write it, after the place.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Avoid => "Avoid",
+            Self::Normal => "Normal",
+        }
+    }
+}
+
 /// A leaf of an agent's tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Leaf {
@@ -198,21 +227,28 @@ pub struct Leaf {
     pub tag: Tag,
     /// Whether the status is turned round ("not").
     pub negated: bool,
+    /// For what moves: [`Manner::Avoid`] unless the grammar says otherwise.
+    pub manner: Manner,
 }
 
 impl Leaf {
     /// A number that tells the leaf from every other, for hashes.
     #[must_use]
     pub fn number(self) -> u64 {
-        self.name as u64 | (self.object as u64) << 8 | (self.tag as u64) << 16 | u64::from(self.negated) << 24
+        self.name as u64
+            | (self.object as u64) << 8
+            | (self.tag as u64) << 16
+            | u64::from(self.negated) << 24
+            | (self.manner as u64) << 25
     }
 }
 
 impl fmt::Display for Leaf {
-    /// The leaf without its tag, such as `not IsCarrying Food`.
+    /// The leaf without its tag, such as `not IsCarrying Food`; of the manners only `Normal` shows.
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let not = if self.negated { "not " } else { "" };
         let gap = if self.object == Object::Nothing { "" } else { " " };
-        write!(out, "{not}{}{gap}{}", self.name.text(), self.object.text())
+        let manner = if self.manner == Manner::Normal { " Normal" } else { "" };
+        write!(out, "{not}{}{gap}{}{manner}", self.name.text(), self.object.text())
     }
 }

@@ -7,7 +7,8 @@
 //! Source: GEESE's controllers were finite-state machines (BeTr-GEESE, section 1). Its grammar and its interpreter are not
 //! public, so the rules and what they mean are our reading.
 
-use super::leaf::{Leaf, Name, Object, Tag};
+use super::leaf::{Leaf, Name};
+use super::program::NO_LEAF;
 use crate::fingerprint::Fingerprint;
 use crate::random::{Stream, chance};
 use std::fmt;
@@ -83,7 +84,7 @@ pub struct Machine {
     pub succeeded: bool,
 }
 
-const START: Leaf = Leaf { name: Name::Explore, object: Object::Nothing, tag: Tag::None, negated: false };
+const START: Leaf = Leaf { name: Name::Explore, ..NO_LEAF };
 
 impl Default for Machine {
     /// A machine without rules: it explores for ever.

@@ -3,6 +3,7 @@
 use super::controller::Controller;
 use super::leaf::{Leaf, Tag};
 use super::program::Compiler;
+use super::switches::{ExplorationRule, FeedbackRule};
 use super::visited::Visited;
 use crate::bt::{Kind, NodeId, Recorder, Status, Tree};
 use crate::evolution::Genome;
@@ -52,6 +53,8 @@ pub struct Mind {
     pub diversity: f64,
     /// Run-time fitness A.
     pub fitness: f64,
+    /// The last fitness of the program before, and of the one before it; 0 unless something asks for them.
+    pub last: [f64; 2],
     /// Feedback B of the last step.
     pub feedback: i32,
     /// Items delivered by the whole swarm when the program was ticked last.
@@ -85,6 +88,16 @@ impl Mind {
         if self.was_replaced(tick) { &self.replaced } else { &self.program }
     }
 
+    /// Exploration E, by what the scenario counts: all that was visited, or (cells) all but one.
+    #[must_use]
+    pub fn exploration(&self, rule: ExplorationRule) -> u32 {
+        let visited = self.visited.count() as u32;
+        match rule {
+            ExplorationRule::Squares => visited,
+            ExplorationRule::Cells => visited.saturating_sub(1),
+        }
+    }
+
     /// Whether the program was replaced in step `tick`, after it was ticked.
     #[must_use]
     pub fn was_replaced(&self, tick: u32) -> bool {
@@ -99,9 +112,12 @@ impl Mind {
         hash.u32(self.swaps);
         hash.f64(self.diversity);
         hash.f64(self.fitness);
+        if self.last.iter().any(|fitness| fitness.abs() > 0.0) {
+            self.last.iter().for_each(|&fitness| hash.f64(fitness));
+        }
         self.visited.squares().iter().for_each(|&square| hash.u32(square));
         for entry in self.storage.entries() {
-            hash.u32(entry.donor);
+            hash.u64(u64::from(entry.donor) | u64::from(entry.program) << 32);
             hash.f64(entry.fitness);
             hash.f64(entry.diversity);
             entry.genome.feed(hash);
@@ -119,6 +135,8 @@ impl Mind {
 pub struct Entry {
     /// Whose genome it is.
     pub donor: u32,
+    /// Which of the donor's programs it was, from 1 on, when its fitness is to be followed; otherwise 0.
+    pub program: u32,
     /// Run-time fitness A of the donor.
     pub fitness: f64,
     /// Diversity D of the donor.
@@ -144,16 +162,43 @@ impl Storage {
     }
 
     /// Stores a copy in place of the donor's older one, or (`again`) besides it.
-    pub fn store(&mut self, donor: u32, mind: &Mind, again: bool) {
+    ///
+    /// - `live`: whether [`Storage::refresh`] is to follow its fitness.
+    pub fn store(&mut self, donor: u32, mind: &Mind, again: bool, live: bool) {
         let older = self.entries().iter().position(|entry| !again && entry.donor == donor);
-        let at = older.unwrap_or(self.filled);
-        self.filled += usize::from(older.is_none());
-        let Mind { fitness, diversity, ref genome, .. } = *mind;
+        let program = if live { mind.swaps + 1 } else { 0 };
+        self.put(older.unwrap_or(self.filled), [donor, program], [mind.fitness, mind.diversity], &mind.genome);
+    }
+
+    /// Adds a genome that is nobody's program, worth its diversity.
+    ///
+    /// - `donor`: who drew it.
+    pub fn add_fresh(&mut self, donor: u32, diversity: f64, genome: &Genome) {
+        self.put(self.filled, [donor, 0], [diversity; 2], genome);
+    }
+
+    fn put(&mut self, at: usize, [donor, program]: [u32; 2], [fitness, diversity]: [f64; 2], genome: &Genome) {
+        self.filled = self.filled.max(at + 1);
         if let Some(entry) = self.entries.get_mut(at) {
-            (entry.donor, entry.fitness, entry.diversity) = (donor, fitness, diversity);
+            (entry.donor, entry.program, entry.fitness, entry.diversity) = (donor, program, fitness, diversity);
             entry.genome.clone_from(genome);
         } else {
-            self.entries.push(Entry { donor, fitness, diversity, genome: genome.clone() });
+            self.entries.push(Entry { donor, program, fitness, diversity, genome: genome.clone() });
+        }
+    }
+
+    /// Brings the fitness of followed entries up to date: that of the donor while it runs the program, then its last.
+    ///
+    /// Called once in each turn of the owner; until the next, a donor replaces its program twice at most.
+    pub fn refresh(&mut self, minds: &[Mind]) {
+        for entry in self.entries[..self.filled].iter_mut().filter(|entry| entry.program > 0) {
+            let donor = &minds[entry.donor as usize];
+            match donor.swaps + 1 - entry.program {
+                0 => entry.fitness = donor.fitness,
+                1 => entry.fitness = donor.last[0],
+                2 => entry.fitness = donor.last[1],
+                _ => {}
+            }
         }
     }
 
@@ -172,31 +217,34 @@ impl Storage {
 /// Sums the feedback fitness of one tick and notes each node's status for display.
 ///
 /// B: +1 for each postcondition that returns SUCCESS, -2 for each constraint that returns FAILURE, +1 when the root
-/// is a selector and returns SUCCESS. Nodes that are not ticked count 0.
+/// is a selector and returns SUCCESS. Nodes that are not ticked count 0. In the authors' code the first two look for nodes
+/// of other names and find none, and every selector counts.
 ///
 /// Source: BeTr-GEESE, section 4.6.
 pub struct Feedback<'a> {
     tree: &'a Tree<Leaf>,
     trace: &'a mut [Trace],
     tick: u32,
+    rule: FeedbackRule,
     /// The sum.
     pub sum: i32,
 }
 
 impl<'a> Feedback<'a> {
     /// Begins step `tick`; `trace` has one place for each node of `tree`.
-    pub fn new(tree: &'a Tree<Leaf>, trace: &'a mut [Trace], tick: u32) -> Self {
-        Self { tree, trace, tick, sum: 0 }
+    pub fn new(tree: &'a Tree<Leaf>, trace: &'a mut [Trace], tick: u32, rule: FeedbackRule) -> Self {
+        Self { tree, trace, tick, rule, sum: 0 }
     }
 }
 
 impl Recorder for Feedback<'_> {
     fn returned(&mut self, node: NodeId, status: Status) {
         self.trace[node.index()] = Trace { status, tick: self.tick };
+        let by_tags = self.rule == FeedbackRule::Tags;
         self.sum += match (&self.tree.nodes()[node.index()].kind, status) {
-            (Kind::Leaf(Leaf { tag: Tag::Post, .. }), Status::Success) => 1,
-            (Kind::Leaf(Leaf { tag: Tag::Con, .. }), Status::Failure) => -2,
-            (Kind::Fallback, Status::Success) if node == NodeId(0) => 1,
+            (Kind::Leaf(Leaf { tag: Tag::Post, .. }), Status::Success) if by_tags => 1,
+            (Kind::Leaf(Leaf { tag: Tag::Con, .. }), Status::Failure) if by_tags => -2,
+            (Kind::Fallback, Status::Success) if node == NodeId(0) || !by_tags => 1,
             _ => 0,
         };
     }

@@ -7,7 +7,7 @@
 //! agents that meet exchange genomes; one with enough of them breeds and takes up the most diverse child.
 //!
 //! Where the paper is silent, the choice stands in the doc comment of the code that makes it and in the `source` of
-//! the parameter that changes it.
+//! the parameter that changes it. `profiles.rs` sets the paper's text beside the authors' published code, row by row.
 
 mod body;
 mod breeding;
@@ -21,6 +21,7 @@ mod grammars;
 mod grid;
 mod inspect;
 mod language;
+mod lattice;
 mod leaf;
 mod machine;
 mod measure;
@@ -28,10 +29,12 @@ mod mind;
 mod near;
 mod params;
 mod population;
+mod profiles;
 mod program;
 mod rules;
 mod schema;
 mod showmachine;
+mod switches;
 mod variety;
 mod visited;
 mod words;
@@ -44,7 +47,7 @@ pub use frame::{Layout, fill_frame};
 pub use grammars::grammar_text;
 pub use inspect::{Detail, Query};
 pub use language::LanguageError;
-pub use leaf::{Leaf, Name, Object, Tag, Takes};
+pub use leaf::{Leaf, Manner, Name, Object, Tag, Takes};
 pub use machine::{Machine, Rule, Setting};
 pub use measure::{Measure, is_inert};
 pub use params::{
@@ -55,4 +58,9 @@ pub use params::{
 pub use population::{Dealt, Member, Population};
 pub use program::{Compiler, CompilerError, Survey, program_text};
 pub use schema::parameters;
+pub use switches::{
+    AvoidRule, Blackboard, DiversityRule, DropPostcondition, EdgeRule, EliteRank, ExplorationRule, FeedbackRule,
+    FitnessRule, Footprint, Init, InitialMemory, LengthRule, MoveAwayPostcondition, Neighbours, NestSink, PerceptWipe,
+    PopulationPool, Rounding, Sensing, SitePlacement, StepRule, StorageValue,
+};
 pub use world::{Finished, Outcome, SAMPLE_EVERY, Sample, State, World};

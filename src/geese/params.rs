@@ -1,9 +1,15 @@
 //! The switches of the world: the paper's text taken literally is the default of each.
 
+use super::switches::{
+    AvoidRule, Blackboard, DiversityRule, DropPostcondition, EdgeRule, EliteRank, ExplorationRule, FeedbackRule,
+    FitnessRule, Footprint, Init, InitialMemory, LengthRule, MoveAwayPostcondition, Neighbours, NestSink, PerceptWipe,
+    PopulationPool, Rounding, Sensing, SitePlacement, StepRule, StorageValue,
+};
 use serde::Serialize;
 use serde_json::Value;
 
-/// Every parameter of the foraging world and its evolution; see `schema.rs` for bounds, meaning and source.
+/// Every parameter of the foraging world and its evolution; see `schema.rs` for bounds, meaning and source. What is written
+/// of it is [`Params::fields`]: the derived form lacks the switches.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[expect(missing_docs, reason = "each field is described once, in the schema")]
@@ -17,47 +23,87 @@ pub struct Params {
     pub sites: u32,
     pub site_radius: f64,
     pub site_distance: f64,
+    #[serde(skip)]
+    pub site_placement: SitePlacement,
     pub boundary_radius: f64,
+    #[serde(skip)]
+    pub nest_sink: NestSink,
     pub items: u32,
     pub item_placement: ItemPlacement,
     pub obstacles: u32,
     pub obstacle_radius: f64,
     pub traps: u32,
     pub trap_radius: f64,
+    #[serde(skip)]
+    pub footprint: Footprint,
+    #[serde(skip)]
+    pub edge_rule: EdgeRule,
+    #[serde(skip)]
+    pub rounding: Rounding,
     pub success_threshold: f64,
     pub start_positions: StartPositions,
     pub activation: Activation,
     pub behaviours: Behaviours,
     pub step_length: f64,
+    #[serde(skip)]
+    pub step_rule: StepRule,
     pub moves_per_step: MovesPerStep,
     pub look_ahead: f64,
+    #[serde(skip)]
+    pub avoid_rule: AvoidRule,
+    #[serde(skip)]
+    pub sensing: Sensing,
     pub sense_radius: f64,
     pub explore_heading: ExploreHeading,
     pub turn_deviation: f64,
     pub drop_rule: DropRule,
     pub is_dropable: IsDropable,
+    #[serde(skip)]
+    pub initial_memory: InitialMemory,
+    #[serde(skip)]
+    pub blackboard: Blackboard,
+    #[serde(skip)]
+    pub percept_wipe: PerceptWipe,
+    #[serde(skip)]
+    pub moveaway_postcondition: MoveAwayPostcondition,
+    #[serde(skip)]
+    pub drop_postcondition: DropPostcondition,
     pub evolution: bool,
     pub learning_steps: u32,
     pub population_form: PopulationForm,
     pub population_share: f64,
     pub dwell: f64,
+    #[serde(skip)]
+    pub population_pool: PopulationPool,
     pub population: String,
     pub genome_length: u16,
+    #[serde(skip)]
+    pub init: Init,
     pub codon_max: u16,
     pub max_depth: u32,
     pub max_wraps: u32,
     pub grammar: String,
     pub interaction_probability: f64,
+    #[serde(skip)]
+    pub neighbours: Neighbours,
     pub storage_threshold: u32,
     pub storage_content: StorageContent,
+    #[serde(skip)]
+    pub storage_value: StorageValue,
+    pub stagnation: u32,
+    pub own_in_pool: bool,
     pub parent_selection: ParentSelection,
     pub parent_share: f64,
     pub tournament_size: u32,
     pub elite_size: u32,
+    #[serde(skip)]
+    pub elite_rank: EliteRank,
     pub children: u32,
     pub genome_selection: GenomeSelection,
     pub crossover_mode: CrossoverMode,
     pub crossover_probability: f64,
+    #[serde(skip)]
+    pub length_rule: LengthRule,
     pub mutation_mode: MutationMode,
     pub mutation_probability: f64,
     pub swap_rule: SwapRule,
@@ -67,6 +113,14 @@ pub struct Params {
     pub fitness_task: bool,
     pub fitness_feedback: bool,
     pub fitness_memory: f64,
+    #[serde(skip)]
+    pub fitness: FitnessRule,
+    #[serde(skip)]
+    pub diversity: DiversityRule,
+    #[serde(skip)]
+    pub exploration: ExplorationRule,
+    #[serde(skip)]
+    pub bt_feedback: FeedbackRule,
 }
 
 /// What the swarm is to do.
@@ -147,6 +201,8 @@ pub enum DropRule {
     Anywhere,
     /// Only where the item belongs; elsewhere the drop fails.
     Sink,
+    /// Anywhere but in the hub when the items are debris: there the drop fails.
+    OutsideHub,
 }
 
 /// When the condition IsDropable holds.
@@ -256,47 +312,68 @@ impl Default for Params {
             sites: 1,
             site_radius: 10.0,
             site_distance: 30.0,
+            site_placement: SitePlacement::Ring,
             boundary_radius: 30.0,
+            nest_sink: NestSink::Ring,
             items: 0,
             item_placement: ItemPlacement::Scattered,
             obstacles: 0,
             obstacle_radius: 5.0,
             traps: 0,
             trap_radius: 5.0,
+            footprint: Footprint::Disc,
+            edge_rule: EdgeRule::Clamp,
+            rounding: Rounding::None,
             success_threshold: 0.8,
             start_positions: StartPositions::Hub,
             activation: Activation::Shuffled,
             behaviours: Behaviours::Ppa,
             step_length: 2.0,
+            step_rule: StepRule::Constant,
             moves_per_step: MovesPerStep::One,
             look_ahead: 3.0,
+            avoid_rule: AvoidRule::Tangent,
+            sensing: Sensing::Disc,
             sense_radius: 5.0,
             explore_heading: ExploreHeading::Uniform,
             turn_deviation: 0.1,
             drop_rule: DropRule::Anywhere,
             is_dropable: IsDropable::Always,
+            initial_memory: InitialMemory::All,
+            blackboard: Blackboard::Private,
+            percept_wipe: PerceptWipe::Tick,
+            moveaway_postcondition: MoveAwayPostcondition::NotSensed,
+            drop_postcondition: DropPostcondition::NotCarrying,
             evolution: true,
             learning_steps: 0,
             population_form: PopulationForm::AsSaved,
             population_share: 0.5,
             dwell: 3.0,
+            population_pool: PopulationPool::Agents,
             population: String::new(),
             genome_length: 100,
+            init: Init::RandomBits,
             codon_max: 255,
             max_depth: 10,
             max_wraps: 0,
             grammar: "ppa".to_owned(),
             interaction_probability: 0.85,
+            neighbours: Neighbours::Radius,
             storage_threshold: 7,
             storage_content: StorageContent::Meetings,
+            storage_value: StorageValue::Copied,
+            stagnation: 0,
+            own_in_pool: true,
             parent_selection: ParentSelection::Truncation,
             parent_share: 0.5,
             tournament_size: 2,
             elite_size: 0,
+            elite_rank: EliteRank::Diversity,
             children: 24,
             genome_selection: GenomeSelection::Diversity,
             crossover_mode: CrossoverMode::VariableOnePoint,
             crossover_probability: 0.9,
+            length_rule: LengthRule::Cut,
             mutation_mode: MutationMode::Bit,
             mutation_probability: 0.01,
             swap_rule: SwapRule::Greater,
@@ -306,6 +383,10 @@ impl Default for Params {
             fitness_task: false,
             fitness_feedback: true,
             fitness_memory: 0.9,
+            fitness: FitnessRule::Recurrence,
+            diversity: DiversityRule::Names,
+            exploration: ExplorationRule::Squares,
+            bt_feedback: FeedbackRule::Tags,
         }
     }
 }
@@ -333,7 +414,9 @@ impl Params {
                 put_word(&mut self.explore_heading, &[ExploreHeading::Uniform, ExploreHeading::Turning], value)
             }
             "turn-deviation" => value.as_f64().is_some_and(|real| put(&mut self.turn_deviation, real)),
-            "drop-rule" => put_word(&mut self.drop_rule, &[DropRule::Anywhere, DropRule::Sink], value),
+            "drop-rule" => {
+                put_word(&mut self.drop_rule, &[DropRule::Anywhere, DropRule::Sink, DropRule::OutsideHub], value)
+            }
             "task" => put_word(&mut self.task, &[Task::Forage, Task::Nest], value),
             "sites" => put_whole(&mut self.sites, value),
             "boundary-radius" => value.as_f64().is_some_and(|real| put(&mut self.boundary_radius, real)),
@@ -415,7 +498,7 @@ impl Params {
                 put_word(&mut self.swap_rule, &[SwapRule::Greater, SwapRule::NotSmaller, SwapRule::Always], value)
             }
             "fitness-memory" => value.as_f64().is_some_and(|real| put(&mut self.fitness_memory, real)),
-            _ => false,
+            _ => self.set_switch(name, value),
         }
     }
 
@@ -432,12 +515,12 @@ impl Params {
     }
 }
 
-fn put<T>(field: &mut T, value: T) -> bool {
+pub fn put<T>(field: &mut T, value: T) -> bool {
     *field = value;
     true
 }
 
-fn put_whole<T: TryFrom<u64>>(field: &mut T, value: &Value) -> bool {
+pub fn put_whole<T: TryFrom<u64>>(field: &mut T, value: &Value) -> bool {
     value.as_u64().and_then(|whole| T::try_from(whole).ok()).is_some_and(|whole| put(field, whole))
 }
 

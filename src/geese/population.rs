@@ -5,6 +5,7 @@ use super::leaf::Leaf;
 use super::mind::Mind;
 use super::params::{Params, PopulationForm};
 use super::program::{Compiler, placeholder};
+use super::switches::PopulationPool;
 use super::world::World;
 use crate::bt::{Builder, Kind, NodeId, Tree};
 use crate::evolution::Genome;
@@ -101,38 +102,45 @@ impl Population {
         Ok(Self { members: members.collect::<Result<_, String>>()? })
     }
 
-    /// The members that take part, fittest first; of equally fit ones the earlier first.
+    /// The members that take part, by number, fittest first; of equally fit ones the earlier first.
     ///
-    /// Source: BeTr-GEESE, sections 5.1 to 5.3.
-    fn chosen(&self, params: &Params) -> Vec<&Member> {
-        let mut sorted: Vec<&Member> = self.members.iter().collect();
-        sorted.sort_by(|a, b| b.fitness.total_cmp(&a.fitness));
-        let count = match params.population_form {
-            PopulationForm::AsSaved => return self.members.iter().collect(),
-            PopulationForm::Homogeneous => 1,
-            PopulationForm::Heterogeneous | PopulationForm::Blended | PopulationForm::Multiplexed => {
-                ((sorted.len() as f64 * params.population_share) as usize).max(1)
+    /// Source: BeTr-GEESE, sections 5.1 to 5.3. The authors' code takes a share of the different programs, of which it
+    /// keeps as many as there are agents, and rounds it to the nearest whole number.
+    fn chosen(&self, params: &Params, controllers: &[Controller]) -> Vec<usize> {
+        if params.population_form == PopulationForm::AsSaved {
+            return (0..controllers.len()).collect();
+        }
+        // The order of `total_cmp` turned round; equal ones stay in their order by their numbers.
+        let rank = |fitness: f64| {
+            let bits = fitness.to_bits().cast_signed();
+            !((bits ^ (bits >> 63 & i64::MAX)).cast_unsigned() ^ 1 << 63)
+        };
+        let mut ranked: Vec<(u64, u32)> =
+            (0..).zip(&self.members).map(|(at, member)| (rank(member.fitness), at)).collect();
+        ranked.sort_unstable();
+        let mut members: Vec<usize> = ranked.iter().map(|&(_, member)| member as usize).collect();
+        let share = params.population_share;
+        let part = match params.population_pool {
+            PopulationPool::Agents => members.len() as f64 * share,
+            PopulationPool::Programs => {
+                let (mut seen, mut kept) = (Vec::new(), Vec::new());
+                for member in members {
+                    let id = controllers[member].id();
+                    if !seen.contains(&id) {
+                        seen.push(id);
+                        kept.push(member);
+                    }
+                }
+                members = kept;
+                (members.len().min(params.agents as usize) as f64 * share).round_ties_even()
             }
         };
-        sorted.truncate(count);
-        sorted
-    }
-
-    /// The genomes among which multiplexed agents choose, surveyed; none in the other forms.
-    ///
-    /// An answer to the question with which the paper's section 5 ends: fixed programs fail because none solves the whole
-    /// task, and what evolution adds while it runs is that every robot changes its program all the time. Here nothing
-    /// evolves any more, but the changing stays.
-    pub fn turns(&self, params: &Params, compiler: &mut Compiler) -> Vec<Known> {
-        if params.population_form != PopulationForm::Multiplexed {
-            return Vec::new();
-        }
-        let known = |member: &&Member| {
-            let mut genome = Genome { codons: member.genome.clone(), ..Genome::default() };
-            let survey = compiler.survey(&mut genome, None)?;
-            Some(Known { genome, diversity: compiler.diversity(survey.names) })
-        };
-        self.chosen(params).iter().filter_map(known).collect()
+        members.truncate(if params.population_form == PopulationForm::Homogeneous {
+            1
+        } else {
+            (part as usize).max(1)
+        });
+        members
     }
 
     /// The controller of each agent, with its codons. Members are dealt out in turns; a blended agent has them all
@@ -143,30 +151,34 @@ impl Population {
     ///
     /// # Errors
     /// The member whose genome maps to no program of the compiler's grammar, or is no tree where trees are to be blended.
-    pub fn deal(&self, params: &Params, seed: Seed, compiler: &mut Compiler) -> Result<Vec<Dealt>, String> {
-        let chosen = self.chosen(params);
-        let mut controllers = Vec::with_capacity(chosen.len());
-        for member in &chosen {
+    pub fn deal(&self, params: &Params, seed: Seed, compiler: &mut Compiler) -> Result<Deal, String> {
+        let mut controllers = Vec::with_capacity(self.members.len());
+        for (index, member) in self.members.iter().enumerate() {
             let mut controller = Controller::default();
             compiler.compile(&member.genome, &mut controller).map_err(|_| {
-                let index = self.members.iter().position(|other| std::ptr::eq(other, *member)).unwrap_or(0);
                 format!("members[{index}].genome: expected codons of a program of the grammar, found none")
             })?;
             controllers.push(controller);
         }
+        let chosen = self.chosen(params, &controllers);
+        let turns = if params.population_form == PopulationForm::Multiplexed {
+            chosen.iter().filter_map(|&member| self.known(member, compiler)).collect()
+        } else {
+            Vec::new()
+        };
         let agents = 0..params.agents;
-        Ok(match params.population_form {
+        let agents = match params.population_form {
             PopulationForm::Blended => {
                 let trees: Option<Vec<&Tree<Leaf>>> = controllers.iter().map(Controller::tree).collect();
                 let trees = trees.ok_or("expected behaviour trees to blend, found state machines")?;
                 let blended = agents.map(|agent| {
-                    let mut order: Vec<usize> = (0..trees.len()).collect();
+                    let mut order = chosen.clone();
                     let mut rng = stream(seed, Purpose::Genesis, agent);
                     for last in (1..order.len() as u32).rev() {
                         order.swap(last as usize, rng.random_range(0..=last) as usize);
                     }
                     Dealt {
-                        codons: chosen[order[0]].genome.clone(),
+                        codons: self.members[order[0]].genome.clone(),
                         controller: blend(order.iter().map(|&index| trees[index])).into(),
                     }
                 });
@@ -174,12 +186,33 @@ impl Population {
             }
             _ => agents
                 .map(|agent| {
-                    let index = agent as usize % chosen.len();
-                    Dealt { codons: chosen[index].genome.clone(), controller: controllers[index].clone() }
+                    let index = chosen[agent as usize % chosen.len()];
+                    Dealt { codons: self.members[index].genome.clone(), controller: controllers[index].clone() }
                 })
                 .collect(),
-        })
+        };
+        Ok(Deal { agents, turns })
     }
+
+    /// One of the programs that take turns.
+    fn known(&self, member: usize, compiler: &mut Compiler) -> Option<Known> {
+        let mut genome = Genome { codons: self.members[member].genome.clone(), ..Genome::default() };
+        let survey = compiler.survey(&mut genome, None)?;
+        Some(Known { genome, diversity: survey.diversity })
+    }
+}
+
+/// A population that was dealt out.
+#[derive(Clone, Debug)]
+pub struct Deal {
+    /// The controller of each agent.
+    pub agents: Vec<Dealt>,
+    /// The programs among which multiplexed agents choose; none in the other forms.
+    ///
+    /// An answer to the question with which the paper's section 5 ends: fixed programs fail because none solves the whole
+    /// task, and what evolution adds while it runs is that every robot changes its program all the time. Here nothing
+    /// evolves any more, but the changing stays.
+    pub turns: Vec<Known>,
 }
 
 /// A program of a fixed population.

@@ -2,8 +2,9 @@
 
 use super::controller::Controller;
 use super::language::{Language, LanguageError, Token};
-use super::leaf::{Leaf, Name, Object, Tag};
+use super::leaf::{Leaf, Manner, Name, Object, Tag};
 use super::rules::{Rules, writes_machines};
+use super::switches::DiversityRule;
 use super::variety::most_names;
 use super::words;
 use crate::bt::{Builder, Kind, Tree};
@@ -41,11 +42,16 @@ pub struct Compiler {
     sentences: Sentences,
     mapper: Mapper,
     limits: Limits,
-    /// For each alternative, the names that its own text brings.
+    /// For each alternative, what its own text brings: the names as bits, and the number of leaves above them.
+    brought: Vec<u32>,
+    /// The set of names that an alternative's text brings, without `DummyNode`.
     names: Vec<u16>,
     /// All names of the grammar.
     vocabulary: u16,
-    most_names: u32,
+    /// The names in each terminal.
+    names_of: Vec<Vec<Name>>,
+    rule: DiversityRule,
+    greatest_diversity: f64,
     terminals: Vec<TerminalId>,
 }
 
@@ -66,17 +72,17 @@ impl Sentences {
         Ok(Self::Trees(Language::of(grammar)?, Box::default()))
     }
 
-    /// The names in a terminal, as bits of [`Name::bit`].
-    fn names(&self, terminal: TerminalId) -> u16 {
-        let id = usize::from(terminal.0);
-        let bit = |name: Option<Name>| name.map_or(0, Name::bit);
+    /// The names in each terminal.
+    fn names(&self) -> Vec<Vec<Name>> {
+        let of_tree = |token: &Token| if let Token::Name(name) = token { Some(*name) } else { None };
+        let of_machine = |token: &words::Token| if let words::Token::Name(name) = token { Some(*name) } else { None };
         match self {
-            Self::Trees(language, _) => language.tokens[id]
-                .iter()
-                .fold(0, |set, token| set | bit(if let Token::Name(name) = token { Some(*name) } else { None })),
-            Self::Machines(rules) => rules.tokens[id]
-                .iter()
-                .fold(0, |set, token| set | bit(if let words::Token::Name(name) = token { Some(*name) } else { None })),
+            Self::Trees(language, _) => {
+                language.tokens.iter().map(|tokens| tokens.iter().filter_map(of_tree).collect()).collect()
+            }
+            Self::Machines(rules) => {
+                rules.tokens.iter().map(|tokens| tokens.iter().filter_map(of_machine).collect()).collect()
+            }
         }
     }
 }
@@ -86,6 +92,41 @@ impl Sentences {
 pub struct Survey {
     /// The set of leaf names, as bits of [`Name::bit`].
     pub names: u16,
+    /// Diversity D, as the compiler was told to count it.
+    pub diversity: f64,
+}
+
+/// One leaf above the bits of the names.
+const LEAF: u32 = 1 << Name::ALL.len();
+/// The bits of the names.
+const NAMES: u32 = LEAF - 1;
+/// The bit of `DummyNode`, which is in no set of names that counts.
+const DUMMY: u32 = 1 << Name::DummyNode as u32;
+
+/// The names that count for [`DiversityRule::Leaves`].
+const LISTED: [Name; 9] = [
+    Name::MoveTowards,
+    Name::Explore,
+    Name::CompositeSingleCarry,
+    Name::CompositeDrop,
+    Name::MoveAway,
+    Name::NeighbourObjects,
+    Name::IsDropable,
+    Name::IsCarrying,
+    Name::IsVisitedBefore,
+];
+
+fn listed() -> u16 {
+    LISTED.iter().fold(0, |set, name| set | name.bit())
+}
+
+/// The authors' diversity of `names` names of the list among `leaves` leaves.
+fn by_leaves(names: u32, leaves: u32) -> f64 {
+    four_decimals(f64::from(25 * names) / (9.0 * f64::from(leaves.max(1).div_ceil(9))))
+}
+
+fn four_decimals(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 impl Compiler {
@@ -98,20 +139,52 @@ impl Compiler {
     pub fn new(text: &str, limits: Limits) -> Result<Self, CompilerError> {
         let grammar = Grammar::parse(text).map_err(CompilerError::Grammar)?;
         let sentences = Sentences::of(&grammar).map_err(CompilerError::Language)?;
-        let mut names = Vec::new();
+        let names_of = sentences.names();
+        let (mut brought, mut names) = (Vec::new(), Vec::new());
         for rule in (0..grammar.rule_count()).map(RuleId) {
             for alternative in grammar.alternatives(rule) {
-                let bits = grammar.symbols(alternative).iter().map(|(symbol, _)| match symbol {
-                    Symbol::NonTerminal(_) => 0,
-                    Symbol::Terminal(terminal) => sentences.names(*terminal),
-                });
-                names.push(bits.fold(0, |set, bit| set | bit));
+                let mut leaves = 0_u32;
+                for (symbol, _) in grammar.symbols(alternative) {
+                    let Symbol::Terminal(terminal) = symbol else { continue };
+                    for name in &names_of[usize::from(terminal.0)] {
+                        leaves = (leaves | 1 << *name as u32) + LEAF;
+                    }
+                }
+                brought.push(leaves);
+                names.push((leaves & NAMES & !DUMMY) as u16);
             }
         }
         let vocabulary = names.iter().fold(0, |set, bits| set | bits);
-        let most_names = most_names(&grammar, &names, limits.max_depth);
         let mapper = Mapper::new(&grammar);
-        Ok(Self { grammar, sentences, mapper, limits, names, vocabulary, most_names, terminals: Vec::new() })
+        let rule = DiversityRule::Names;
+        let mut compiler = Self {
+            grammar,
+            sentences,
+            mapper,
+            limits,
+            brought,
+            names,
+            vocabulary,
+            names_of,
+            rule,
+            greatest_diversity: 0.0,
+            terminals: Vec::new(),
+        };
+        compiler.count_by(rule);
+        Ok(compiler)
+    }
+
+    /// Counts diversity by `rule` from now on; a new compiler counts by [`DiversityRule::Names`].
+    pub fn count_by(&mut self, rule: DiversityRule) {
+        let most = |names: &[u16]| most_names(&self.grammar, names, self.limits.max_depth);
+        self.greatest_diversity = match rule {
+            DiversityRule::Names => f64::from(most(&self.names)) / f64::from(self.vocabulary.count_ones().max(1)),
+            DiversityRule::Leaves => {
+                let listed: Vec<u16> = self.names.iter().map(|names| names & listed()).collect();
+                by_leaves(most(&listed), 1)
+            }
+        };
+        self.rule = rule;
     }
 
     /// The grammar.
@@ -138,34 +211,65 @@ impl Compiler {
         Name::ALL.into_iter().filter(move |name| name.bit() & vocabulary != 0)
     }
 
-    /// Diversity D: distinct leaf names over the names of the grammar; in [0, 1].
+    /// Diversity D of a program: distinct leaf names over the names of the grammar, in [0, 1]; or the authors' formula,
+    /// in [0, 25].
     ///
     /// Source: BeTr-GEESE, section 4.1, "the total number of unique behaviors nodes divided by the total behaviors
     /// defined in the grammar". `DummyNode` does nothing and is not counted. In a machine the names are those of its states
-    /// and of the conditions that it tests (our choice); variables and probabilities have none.
-    #[must_use]
-    pub fn diversity(&self, names: u16) -> f64 {
-        f64::from(names.count_ones()) / f64::from(self.vocabulary.count_ones().max(1))
+    /// and of the conditions that it tests (our choice); variables and probabilities have none. The authors' code has
+    /// 25 m / (9 ceil(T / 9)) with m names of nine (`CanMove`, `IsCarryable` and `DummyNode` are none of them) and T leaves
+    /// of any name.
+    ///
+    /// - `set`: the names, `DummyNode` among them; `leaves`: how many leaves there are.
+    fn diversity(&mut self, codons: &[u16], set: u32, leaves: u32) -> f64 {
+        let names = (set & !DUMMY) as u16;
+        match self.rule {
+            DiversityRule::Names => f64::from(names.count_ones()) / f64::from(self.vocabulary.count_ones().max(1)),
+            DiversityRule::Leaves if set == u32::from(listed()) => self.balance(codons),
+            DiversityRule::Leaves => by_leaves((names & listed()).count_ones(), leaves),
+        }
+    }
+
+    /// Diversity of a program whose names are exactly the nine of the list: 25 when all are equally frequent, else
+    /// 25 (1 - j v / 100) with j names above the smallest count, and v the second of the counts from the largest down.
+    ///
+    /// Source: the authors' code.
+    fn balance(&mut self, codons: &[u16]) -> f64 {
+        self.terminals.clear();
+        if self.mapper.map(codons, self.limits, &mut Writer(&mut self.terminals)).is_err() {
+            return 0.0;
+        }
+        let mut counts = [0_usize; LISTED.len()];
+        for name in self.terminals.iter().flat_map(|terminal| &self.names_of[usize::from(terminal.0)]) {
+            if let Some(place) = LISTED.iter().position(|listed| listed == name) {
+                counts[place] += 1;
+            }
+        }
+        counts.sort_unstable();
+        let above = counts.iter().filter(|count| **count > counts[0]).count();
+        four_decimals(25.0 * (1.0 - (above * counts[7]) as f64 / 100.0))
     }
 
     /// Maps without building, and notes the used codons in the genome: 0 when it maps to no program.
     ///
     /// - `mutation`: changes the codons while they are read, that is, within the used part.
     pub fn survey(&mut self, genome: &mut Genome, mutation: Option<Mutating>) -> Option<Survey> {
-        let mut names = NameSet { of_alternative: &self.names, set: 0 };
+        let mut names = NameSet { brought: &self.brought, set: 0, leaves: 0 };
         let mapped = match mutation {
             Some(mutation) => self.mapper.map((genome.codons.as_mut_slice(), mutation), self.limits, &mut names),
             None => self.mapper.map(genome.codons.as_slice(), self.limits, &mut names),
         };
         // More than 65,535 codons can only be used through wraps; the count then only says "all of them".
         genome.used = mapped.map_or(0, |mapped| u16::try_from(mapped.used).unwrap_or(u16::MAX));
-        mapped.ok().map(|_| Survey { names: names.set })
+        let NameSet { set, leaves, .. } = names;
+        mapped.ok()?;
+        Some(Survey { names: (set & !DUMMY) as u16, diversity: self.diversity(&genome.codons, set, leaves) })
     }
 
     /// The greatest diversity that a program within the depth limit can have.
     #[must_use]
     pub fn greatest_diversity(&self) -> f64 {
-        f64::from(self.most_names) / f64::from(self.vocabulary.count_ones().max(1))
+        self.greatest_diversity
     }
 
     /// Builds the tree or the machine of a genome into `controller`, whose memory is used again.
@@ -192,15 +296,18 @@ impl Compiler {
 }
 
 struct NameSet<'a> {
-    of_alternative: &'a [u16],
-    set: u16,
+    brought: &'a [u32],
+    set: u32,
+    leaves: u32,
 }
 
 impl Derivation for NameSet<'_> {
     const TERMINALS: bool = false;
 
     fn expand(&mut self, _rule: RuleId, alternative: AlternativeId, _codon: u16, _depth: u32) {
-        self.set |= self.of_alternative[usize::from(alternative.0)];
+        let brought = self.brought[usize::from(alternative.0)];
+        self.set |= brought & NAMES;
+        self.leaves = self.leaves.saturating_add(brought / LEAF);
     }
 }
 
@@ -228,17 +335,21 @@ pub fn needs_root(tokens: &[Token]) -> bool {
             }
             Token::Name(_) => tops += u32::from(nested == 0),
             Token::CloseNode | Token::CloseTag => nested -= 1,
-            Token::Not | Token::Object(_) => {}
+            Token::Not | Token::Object(_) | Token::Manner(_) => {}
         }
     }
     tops > 1
 }
 
+/// A leaf that does nothing.
+pub const NO_LEAF: Leaf =
+    Leaf { name: Name::DummyNode, object: Object::Nothing, tag: Tag::None, negated: false, manner: Manner::Avoid };
+
 /// A tree of one leaf that does nothing, to be overwritten.
 #[must_use]
 pub fn placeholder() -> Tree<Leaf> {
     let mut builder = Builder::default();
-    builder.leaf(Leaf { name: Name::DummyNode, object: Object::Nothing, tag: Tag::None, negated: false });
+    builder.leaf(NO_LEAF);
     builder.finish().expect("a single leaf is a tree")
 }
 
@@ -248,7 +359,7 @@ fn build(tokens: &[Token], builder: &mut Builder<Leaf>, tree: &mut Tree<Leaf>) {
     if root {
         builder.open(Kind::Sequence);
     }
-    let mut leaf = Leaf { name: Name::DummyNode, object: Object::Nothing, tag: Tag::None, negated: false };
+    let mut leaf = NO_LEAF;
     for (index, token) in tokens.iter().enumerate() {
         match *token {
             Token::Sequence => builder.open(Kind::Sequence),
@@ -258,13 +369,17 @@ fn build(tokens: &[Token], builder: &mut Builder<Leaf>, tree: &mut Tree<Leaf>) {
             Token::Not => leaf.negated = true,
             Token::Name(name) => {
                 leaf.name = name;
-                if let Some(Token::Object(object)) = tokens.get(index + 1) {
-                    leaf.object = *object;
+                for after in &tokens[index + 1..] {
+                    match *after {
+                        Token::Object(object) => leaf.object = object,
+                        Token::Manner(manner) => leaf.manner = manner,
+                        _ => break,
+                    }
                 }
                 builder.leaf(leaf);
-                leaf = Leaf { object: Object::Nothing, negated: false, ..leaf };
+                leaf = Leaf { tag: leaf.tag, ..NO_LEAF };
             }
-            Token::Object(_) => {}
+            Token::Object(_) | Token::Manner(_) => {}
             Token::CloseTag => leaf.tag = Tag::None,
         }
     }

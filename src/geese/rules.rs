@@ -10,8 +10,9 @@
 //! the grammar: each symbol must write what is wanted where it stands. So a mapping that ends always gives a machine.
 
 use super::language::{LanguageError, of_place};
-use super::leaf::{Leaf, Name, Object, Tag, Takes};
+use super::leaf::{Leaf, Name, Takes};
 use super::machine::{Machine, Rule, Setting, variable_bit};
+use super::program::NO_LEAF;
 use super::words::{Item, MILLION, PROBABILITY, Section, Token, What, read_tokens};
 use crate::evolution::{Grammar, RuleId, Symbol, TerminalId};
 use crate::place::Place;
@@ -133,7 +134,7 @@ impl Rules {
                 }
                 (Token::Not, _) => negated = true,
                 (Token::Name(name), _) => {
-                    let mut leaf = Leaf { name, object: Object::Nothing, tag: Tag::None, negated: false };
+                    let mut leaf = Leaf { name, ..NO_LEAF };
                     if let Some(Token::Object(object)) = tokens.peek() {
                         leaf.object = *object;
                     }

@@ -25,7 +25,11 @@ impl Visited {
     /// Marks the square of a point of the arena `[-side / 2, side / 2]` squared.
     pub fn mark(&mut self, point: [f64; 2]) {
         let [column, row] = point.map(|value| ((value + f64::from(self.side) / 2.0) as u32).min(self.side - 1));
-        let square = row * self.side + column;
+        self.mark_square(row * self.side + column);
+    }
+
+    /// Marks a square by its number.
+    pub fn mark_square(&mut self, square: u32) {
         if !self.insert(square) {
             return;
         }

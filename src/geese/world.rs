@@ -4,11 +4,13 @@ use super::body::{Actor, Body};
 use super::breeding::{Best, Breeder, Source};
 use super::controller::{Controller, Planted};
 use super::field::Field;
+use super::grid::Area;
 use super::mind::{Feedback, Mind, Program, Storage};
 use super::near::Near;
 use super::params::{Activation, Params, StorageContent, SwapRule, Task};
-use super::population::{Dealt, Known, Population};
+use super::population::{Deal, Dealt, Known, Population};
 use super::program::Compiler;
+use super::switches::{ExplorationRule, FitnessRule, Neighbours, Sensing, StorageValue};
 use super::visited::Visited;
 use crate::bt::{Status, tick_once};
 use crate::evolution::Genome;
@@ -124,9 +126,9 @@ impl World {
         let (mut dealt, mut turns) = (Vec::new(), Vec::new());
         if !params.population.trim().is_empty() {
             let population = Population::read(&params.population).map_err(|message| ("population", message))?;
-            let deal = population.deal(params, seed, &mut breeder.compiler);
-            dealt = deal.map_err(|message| ("population", message))?;
-            turns = population.turns(params, &mut breeder.compiler);
+            let deal =
+                population.deal(params, seed, &mut breeder.compiler).map_err(|message| ("population", message))?;
+            (dealt, turns) = (deal.agents, deal.turns);
         }
         let mut dealt = dealt.into_iter();
         let minds = agents
@@ -143,8 +145,8 @@ impl World {
             .collect::<Result<_, _>>()?;
         let mut state = State {
             tick: 0,
+            bodies: bodies(params, &field, seed),
             field,
-            bodies: bodies(params, seed),
             minds,
             learning: params.evolution,
             turns: turns.into(),
@@ -193,7 +195,7 @@ impl World {
         let (delivered, items) = (self.state.field.delivered(), self.params.item_count());
         let share = f64::from(delivered) / f64::from(items);
         let is_test = self.params.learning_steps == 0 || !self.state.learning;
-        let finished = if delivered == items && is_test {
+        let finished = if delivered + self.state.field.lost() == items && is_test {
             Some(match self.params.task {
                 Task::Forage => Finished::AllDelivered,
                 Task::Nest => Finished::AllRemoved,
@@ -259,13 +261,15 @@ impl World {
         state.learning = false;
         let seed = seed.of_restart(Purpose::Settlement);
         let population = Population::of_minds(&state.minds);
-        let (Ok(field), Ok(dealt)) = (Field::new(params, seed), population.deal(params, seed, &mut breeder.compiler))
+        let (Ok(field), Ok(Deal { agents: dealt, turns })) =
+            (Field::new(params, seed), population.deal(params, seed, &mut breeder.compiler))
         else {
             debug_assert!(false, "the world could be built once, and its own genomes are valid");
             return;
         };
-        state.turns = population.turns(params, &mut breeder.compiler).into();
-        (state.field, state.bodies, state.alive) = (field, bodies(params, seed), params.agents);
+        state.turns = turns.into();
+        (state.bodies, state.alive) = (bodies(params, &field, seed), params.agents);
+        state.field = field;
         for (id, dealt) in (0..).zip(dealt) {
             let [genesis, evolution, luck] =
                 [Purpose::Genesis, Purpose::Evolution, Purpose::Luck].map(|purpose| stream(seed, purpose, id));
@@ -293,8 +297,8 @@ impl World {
     }
 }
 
-fn bodies(params: &Params, seed: Seed) -> Vec<Body> {
-    (0..params.agents).map(|id| Body::new(stream(seed, Purpose::Walk, id))).collect()
+fn bodies(params: &Params, field: &Field, seed: Seed) -> Vec<Body> {
+    (0..params.agents).map(|id| Body::new(params, field, stream(seed, Purpose::Walk, id))).collect()
 }
 
 /// A mind with a random program, or with one of a saved population.
@@ -323,8 +327,9 @@ fn new_mind(
         program,
         since: 0,
         swaps: 0,
-        diversity: breeder.compiler.diversity(survey.names),
+        diversity: survey.diversity,
         fitness: 0.0,
+        last: [0.0; 2],
         feedback: 0,
         task: 0,
         visited: Visited::new(params.arena_size),
@@ -352,13 +357,14 @@ impl State {
     ///
     /// Source: BeTr-GEESE, section 4.6, "Blending Fitness Types". E counts the distinct unit squares visited since the
     /// program was taken up (our reading of "unique world locations"); prospective fitness counts the item carried (the
-    /// paper gives no formula); task fitness counts the items that the whole swarm has brought where they belong.
+    /// paper gives no formula); task fitness counts the items that the whole swarm has brought where they belong. The
+    /// authors' code adds a tenth of the last fitness of the program before, in place of the sum so far.
     fn tick_program(&mut self, params: &Params, agent: u32) {
         let mind = &mut self.minds[agent as usize];
         let mut actor = Actor::new(params, &mut self.field, &mut self.bodies[agent as usize], agent);
         mind.feedback = match &mut mind.program.controller {
             Controller::Tree(Planted { tree, memory, trace }) => {
-                let mut feedback = Feedback::new(tree, trace, self.tick);
+                let mut feedback = Feedback::new(tree, trace, self.tick, params.bt_feedback);
                 let ticked = tick_once(tree, memory, &mut actor, &mut feedback);
                 debug_assert!(ticked.is_ok(), "evolved trees have no node whose tick can fail");
                 feedback.sum
@@ -370,50 +376,81 @@ impl State {
             }
         };
         mind.task = self.field.delivered();
-        mind.visited.mark(self.field.agents.point(agent));
+        let point = self.field.agents.point(agent);
+        match params.exploration {
+            ExplorationRule::Squares => mind.visited.mark(point),
+            ExplorationRule::Cells => mind.visited.mark_square(self.field.lattice.number(point)),
+        }
         let carrying = self.bodies[agent as usize].load.is_some();
         let types = [
             (params.fitness_diversity, mind.diversity),
-            (params.fitness_exploration, mind.visited.count() as f64),
+            (params.fitness_exploration, f64::from(mind.exploration(params.exploration))),
             (params.fitness_feedback, f64::from(mind.feedback)),
             (params.fitness_prospective, f64::from(u8::from(carrying))),
             (params.fitness_task, f64::from(mind.task)),
         ];
         let sum: f64 = types.iter().map(|(counts, value)| if *counts { *value } else { 0.0 }).sum();
-        mind.fitness = params.fitness_memory * mind.fitness + sum;
+        let remembered = match params.fitness {
+            FitnessRule::Recurrence => mind.fitness,
+            FitnessRule::Delayed => mind.last[0],
+        };
+        mind.fitness = params.fitness_memory * remembered + sum;
     }
 
     /// Sense, act and update: takes copies of the neighbours' genomes, and breeds when it has enough of them.
     ///
     /// Source: BeTr-GEESE, section 3. Our choices: neighbours are the agents within the sensing radius, and a stored
-    /// genome keeps the fitness it had when it was taken.
+    /// genome keeps the fitness it had when it was taken. In the authors' code an agent meets its cell mates and itself,
+    /// two at least, stored fitness is live, and one that gets nowhere breeds with ten random genomes.
     fn meet(&mut self, params: &Params, breeder: &mut Breeder, near: &mut Near, agent: u32) {
+        // In every turn, also alone: what donors had two programs ago is nowhere to be found.
+        if params.storage_value == StorageValue::Live {
+            let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
+            storage.refresh(&self.minds);
+            self.minds[agent as usize].storage = storage;
+        }
         let place = self.field.agents.point(agent);
         near.clear();
-        self.field.agents.near(place, params.sense_radius, |other, _| near.add(other));
-        near.remove(agent);
-        if near.is_empty() {
+        let area = match params.neighbours {
+            Neighbours::Radius => Area::Disc(params.sense_radius),
+            Neighbours::Cell => self.field.area(Sensing::Cell, place, 0.0),
+        };
+        self.field.agents.near(place, area, |other, _| near.add(other));
+        if params.neighbours == Neighbours::Radius {
+            near.remove(agent);
+        }
+        if near.is_empty() && params.stagnation == 0 {
             return;
         }
         let mind = &mut self.minds[agent as usize];
         near.retain(|_| chance(&mut mind.evolution, params.interaction_probability));
+        if params.neighbours == Neighbours::Cell && near.ids().len() < 2 {
+            near.clear();
+        }
         let again = params.storage_content == StorageContent::Meetings;
         let entries = mind.storage.entries();
         let replaced = entries.iter().filter(|entry| !again && near.contains(entry.donor)).count();
         let stored = entries.len() + near.ids().len() - replaced;
-        if stored > params.storage_threshold as usize {
-            self.evolve(params, breeder, near, agent);
+        let is_full = stored > params.storage_threshold as usize;
+        let is_stuck = params.stagnation > 0
+            && self.tick - mind.since > params.stagnation
+            && mind.exploration(params.exploration) < 2;
+        if is_full || is_stuck {
+            self.evolve(params, breeder, near, agent, !is_full);
             return;
         }
+        let live = params.storage_value == StorageValue::Live;
         let mut storage = std::mem::take(&mut mind.storage);
         for &donor in near.ids() {
-            storage.store(donor, &self.minds[donor as usize], again);
+            storage.store(donor, &self.minds[donor as usize], again, live);
         }
         self.minds[agent as usize].storage = storage;
     }
 
     /// Breeds from the storage and those just met, and takes up the best child if the swap rule lets it.
-    fn evolve(&mut self, params: &Params, breeder: &mut Breeder, met: &Near, agent: u32) {
+    ///
+    /// - `stuck`: whether it breeds with random genomes too.
+    fn evolve(&mut self, params: &Params, breeder: &mut Breeder, met: &Near, agent: u32, stuck: bool) {
         let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
         let mut rng = self.minds[agent as usize].evolution.clone();
         let again = params.storage_content == StorageContent::Meetings;
@@ -424,7 +461,15 @@ impl State {
         }));
         let is_stored = |donor: u32| !again && entries.iter().any(|entry| entry.donor == donor);
         breeder.pool.extend(met.ids().iter().filter(|&&donor| !is_stored(donor)).map(|&donor| Source::Met(donor)));
-
+        if stuck {
+            let mut genome = Genome::default();
+            for _ in 0..10 {
+                if let Some(survey) = breeder.genesis(params, &mut rng, &mut genome) {
+                    breeder.pool.push(Source::Stored(storage.entries().len() as u32));
+                    storage.add_fresh(agent, survey.diversity, &genome);
+                }
+            }
+        }
         let own = &self.minds[agent as usize];
         let best = breeder.breed(params, &mut rng, own, storage.entries(), &self.minds);
         storage.clear();
@@ -437,6 +482,9 @@ impl State {
         if let Some(Best { genome, diversity }) = winner {
             mind.genome.clone_from(genome);
             mind.diversity = diversity;
+            if params.fitness == FitnessRule::Delayed || params.storage_value == StorageValue::Live {
+                mind.last = [mind.fitness, mind.last[0]];
+            }
             mind.take_up(&mut breeder.compiler, self.tick);
             self.swaps += 1;
         }

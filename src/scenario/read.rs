@@ -66,12 +66,8 @@ fn parameters(world: &WorldParams) -> impl Iterator<Item = &'static Parameter> +
 
 /// The parameters as JSON fields.
 fn fields_of(world: &WorldParams) -> Map<String, Value> {
-    let value = match world {
-        WorldParams::Geese(params) => serde_json::to_value(params),
-    };
-    match value {
-        Ok(Value::Object(fields)) => fields,
-        _ => Map::new(),
+    match world {
+        WorldParams::Geese(params) => params.fields(),
     }
 }
 

@@ -1,5 +1,5 @@
 /** @import { Places } from './frame.js' */
-/** @import { Layout } from '../types.js' */
+/** @import { Layout, Place } from '../types.js' */
 /** @import { Theme } from './theme.js' */
 /** @import { Trail } from './trail.js' */
 
@@ -70,8 +70,16 @@ function drawArena(context, { layout, layers, frame, at }, theme, scale, left, t
     const x = left + place.x * scale;
     const y = top - place.y * scale;
     const radius = place.radius * scale;
+    context.beginPath();
+    if (place.square) {
+      const [[west, south], [east, north]] = place.square;
+      context.rect(left + west * scale, top - north * scale, (east - west) * scale, (north - south) * scale);
+    } else {
+      context.arc(x, y, radius, 0, TAU);
+    }
     drawPlace(context, theme, place.kind, x, y, radius);
-    if (place.kind !== sinkOf(layout) || !layers.delivered) continue;
+    // Around a cell there is no ring to fill; the numbers under the picture say how much was delivered.
+    if (place.kind !== sinkOf(layout) || place.square || !layers.delivered) continue;
     const share = frame[at.total] > 0 ? frame[at.delivered] / frame[at.total] : 0;
     if (share === 0) continue;
     context.beginPath();
@@ -82,6 +90,14 @@ function drawArena(context, { layout, layers, frame, at }, theme, scale, left, t
   }
 }
 
+/**
+ * The middle of a place's upper edge, where its name stands, in arena units.
+ *
+ * @param {Place} place
+ * @returns {[number, number]}
+ */
+export const crownOf = ({ x, y, radius, square }) => (square ? [(square[0][0] + square[1][0]) / 2, square[1][1]] : [x, y + radius]);
+
 /** The kind of place where items belong. @param {Layout} layout */
 export const sinkOf = (layout) => (layout.item === 'debris' ? 'boundary' : 'hub');
 
@@ -89,7 +105,7 @@ export const sinkOf = (layout) => (layout.item === 'debris' ? 'boundary' : 'hub'
 const itemColour = (layout, theme) => (layout.item === 'debris' ? theme.debris : theme.food);
 
 /**
- * A place by its outline: sites and the boundary dashed, obstacles filled, traps crossed out.
+ * A place by its outline, which is the path begun: sites and the boundary dashed, obstacles filled, traps crossed out.
  *
  * @param {CanvasRenderingContext2D} context
  * @param {Theme} theme
@@ -99,8 +115,6 @@ const itemColour = (layout, theme) => (layout.item === 'debris' ? theme.debris :
  * @param {number} radius pixels
  */
 function drawPlace(context, theme, kind, x, y, radius) {
-  context.beginPath();
-  context.arc(x, y, radius, 0, TAU);
   if (kind === 'obstacle') {
     context.fillStyle = theme.hairline;
     context.fill();
@@ -230,8 +244,10 @@ export function drawNames(context, view, theme, caption) {
   context.font = `13px ${theme.font}`;
   context.fillStyle = theme.ink;
   context.textAlign = 'center';
-  for (const { kind, x, y, radius } of layout.places.filter((place) => NAMED.has(place.kind))) {
-    context.fillText(kind.charAt(0).toUpperCase() + kind.slice(1), size / 2 + (x - camera.x) * scale, size / 2 - (y + radius - camera.y) * scale - 10);
+  for (const place of layout.places.filter((place) => NAMED.has(place.kind))) {
+    const [x, y] = crownOf(place);
+    const name = place.kind.charAt(0).toUpperCase() + place.kind.slice(1);
+    context.fillText(name, size / 2 + (x - camera.x) * scale, size / 2 - (y - camera.y) * scale - 10);
   }
   context.textAlign = 'start';
   context.fillText(caption, 12, size - 8);

@@ -2,7 +2,7 @@ import { button, h, s, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { locate } from '../draw/frame.js';
 import { createTrail } from '../draw/trail.js';
-import { NAMED, drawWorld, markRadius, scaleOf, sinkOf } from '../draw/world.js';
+import { NAMED, crownOf, drawWorld, markRadius, scaleOf, sinkOf } from '../draw/world.js';
 import { bindPicking } from './picking.js';
 
 /** @import { Seen } from '../lens.js' */
@@ -118,11 +118,13 @@ export function createWorldView({ pane, run, state, selection, theme, drawn, rin
     const scale = scaleOf(view);
     const { camera, size, layout, frame, at } = view;
     const delivered = frame[at.delivered];
+    const sink = layout.places.find((place) => place.kind === sinkOf(layout)); // one number is enough where there are several
     layout.places.forEach((place, index) => {
       const label = places.children[index];
-      if (place.kind === sinkOf(layout) && delivered !== deliveredShown) write(label, text.world.sink(place.kind, delivered, frame[at.total]));
-      label.setAttribute('x', String(size / 2 + (place.x - camera.x) * scale));
-      label.setAttribute('y', String(size / 2 - (place.y + place.radius - camera.y) * scale - 10));
+      if (place === sink && delivered !== deliveredShown) write(label, text.world.sink(place.kind, delivered, frame[at.total]));
+      const [x, y] = crownOf(place);
+      label.setAttribute('x', String(size / 2 + (x - camera.x) * scale));
+      label.setAttribute('y', String(size / 2 - (y - camera.y) * scale - 10));
     });
     deliveredShown = delivered;
     const agent = chosen();

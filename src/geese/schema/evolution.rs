@@ -3,9 +3,9 @@
 use super::{TABLE_1, int, real};
 use crate::parameter::{Apply, Kind, Parameter};
 
-const EVOLUTION: &str = "Evolution";
-const POPULATION: &str = "Population";
-const GENOME: &str = "Genome and grammar";
+pub const EVOLUTION: &str = "Evolution";
+pub const POPULATION: &str = "Population";
+pub const GENOME: &str = "Genome and grammar";
 
 pub const PARAMETERS: &[Parameter] = &[
     Parameter {
@@ -163,7 +163,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Live,
         group: EVOLUTION,
         label: "Fitness I: diversity",
-        help: "Distinct behaviours in the tree over those in the grammar count for fitness.",
+        help: "Distinct behaviours in the tree count for fitness.",
         source: "BeTr-GEESE, section 4.6",
     },
     Parameter {
@@ -173,7 +173,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Live,
         group: EVOLUTION,
         label: "Fitness II: exploration",
-        help: "Unit squares visited since the program was taken up count for fitness.",
+        help: "Places visited since the program was taken up count for fitness.",
         source: "BeTr-GEESE, section 4.6; what a location is, is our choice",
     },
     Parameter {
@@ -213,7 +213,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Live,
         group: EVOLUTION,
         label: "Fitness memory",
-        help: "How much of the fitness so far stays in each step: the blend factor beta.",
+        help: "How much of the remembered fitness counts in each step: the blend factor beta.",
         source: "BeTr-GEESE, section 4.6",
     },
     Parameter {
@@ -329,7 +329,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Restart,
         group: GENOME,
         label: "Grammar",
-        help: "The rules that turn codons into behaviour trees, or into state machines. The words ppa, nominal, machine, hand-tree and hand-machine stand for built-in rules of the task.",
+        help: "The rules that turn codons into behaviour trees, or into state machines. The words ppa, nominal, published, machine, hand-tree and hand-machine stand for built-in rules of the task.",
         source: "BeTr-GEESE, appendix B; the parts the paper leaves out are those of the authors' grammar",
     },
 ];

@@ -1,6 +1,7 @@
 //! Bounds, meaning and source of every parameter, and the checks that concern several of them.
 
 mod evolution;
+mod published;
 mod world;
 
 use super::grammars::grammar_text;
@@ -21,7 +22,15 @@ const fn real(min: f64, max: f64, hard_max: f64, step: f64) -> Kind {
 
 /// All parameters, in the order in which the page shows them.
 pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-    world::PARAMETERS.iter().chain(evolution::PARAMETERS)
+    world::PARAMETERS.iter().chain(evolution::PARAMETERS).chain(published::PARAMETERS)
+}
+
+/// The switches to the authors' published code: name and choices of each.
+pub fn switches() -> impl Iterator<Item = (&'static str, &'static [(&'static str, &'static str)])> {
+    published::PARAMETERS.iter().filter_map(|parameter| match parameter.kind {
+        Kind::Choice(choices) => Some((parameter.name, choices)),
+        _ => None,
+    })
 }
 
 impl Params {
@@ -31,7 +40,7 @@ impl Params {
     /// The field's name, what was found and what is allowed.
     pub fn check(&self) -> Result<Compiler, (&'static str, String)> {
         let limits = Limits { max_wraps: self.max_wraps, max_depth: self.max_depth };
-        let compiler = Compiler::new(&grammar_text(&self.grammar, self.task), limits)
+        let mut compiler = Compiler::new(&grammar_text(&self.grammar, self.task), limits)
             .map_err(|error| ("grammar", error.to_string()))?;
         let least = compiler.grammar().least_depth();
         if self.max_depth < least {
@@ -42,6 +51,7 @@ impl Params {
             return Err(("max-depth", message));
         }
         self.check_fit()?;
+        compiler.count_by(self.diversity);
         Ok(compiler)
     }
 

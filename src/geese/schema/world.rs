@@ -4,8 +4,8 @@ use super::super::body::MOST_PLACES;
 use super::{TABLE_1, int, real};
 use crate::parameter::{Apply, Kind, Parameter};
 
-const WORLD: &str = "World";
-const ROBOTS: &str = "Robots";
+pub const WORLD: &str = "World";
+pub const ROBOTS: &str = "Robots";
 
 pub const PARAMETERS: &[Parameter] = &[
     Parameter {
@@ -260,7 +260,11 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "drop-rule",
-        kind: Kind::Choice(&[("anywhere", "Anywhere"), ("sink", "Only where it belongs")]),
+        kind: Kind::Choice(&[
+            ("anywhere", "Anywhere"),
+            ("sink", "Only where it belongs"),
+            ("outside-hub", "Anywhere, debris not in the hub"),
+        ]),
         unit: "",
         apply: Apply::Live,
         group: ROBOTS,

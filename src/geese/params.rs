@@ -441,22 +441,6 @@ impl Params {
             "is-dropable" => {
                 put_word(&mut self.is_dropable, &[IsDropable::Always, IsDropable::Kind, IsDropable::Standing], value)
             }
-            "evolution" => value.as_bool().is_some_and(|on| put(&mut self.evolution, on)),
-            "learning-steps" => put_whole(&mut self.learning_steps, value),
-            "dwell" => value.as_f64().is_some_and(|real| put(&mut self.dwell, real)),
-            "population-form" => put_word(
-                &mut self.population_form,
-                &[
-                    PopulationForm::AsSaved,
-                    PopulationForm::Homogeneous,
-                    PopulationForm::Heterogeneous,
-                    PopulationForm::Blended,
-                    PopulationForm::Multiplexed,
-                ],
-                value,
-            ),
-            "population-share" => value.as_f64().is_some_and(|real| put(&mut self.population_share, real)),
-            "population" => value.as_str().is_some_and(|text| put(&mut self.population, text.to_owned())),
             "genome-length" => put_whole(&mut self.genome_length, value),
             "codon-max" => put_whole(&mut self.codon_max, value),
             "max-depth" => put_whole(&mut self.max_depth, value),
@@ -498,7 +482,30 @@ impl Params {
                 put_word(&mut self.swap_rule, &[SwapRule::Greater, SwapRule::NotSmaller, SwapRule::Always], value)
             }
             "fitness-memory" => value.as_f64().is_some_and(|real| put(&mut self.fitness_memory, real)),
-            _ => self.set_switch(name, value),
+            _ => self.set_population(name, value) || self.set_switch(name, value),
+        }
+    }
+
+    /// Sets a field that concerns fixed programs.
+    fn set_population(&mut self, name: &str, value: &Value) -> bool {
+        match name {
+            "evolution" => value.as_bool().is_some_and(|on| put(&mut self.evolution, on)),
+            "learning-steps" => put_whole(&mut self.learning_steps, value),
+            "dwell" => value.as_f64().is_some_and(|real| put(&mut self.dwell, real)),
+            "population-form" => put_word(
+                &mut self.population_form,
+                &[
+                    PopulationForm::AsSaved,
+                    PopulationForm::Homogeneous,
+                    PopulationForm::Heterogeneous,
+                    PopulationForm::Blended,
+                    PopulationForm::Multiplexed,
+                ],
+                value,
+            ),
+            "population-share" => value.as_f64().is_some_and(|real| put(&mut self.population_share, real)),
+            "population" => value.as_str().is_some_and(|text| put(&mut self.population, text.to_owned())),
+            _ => false,
         }
     }
 

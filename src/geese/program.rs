@@ -9,8 +9,8 @@ use super::variety::most_names;
 use super::words;
 use crate::bt::{Builder, Kind, Tree};
 use crate::evolution::{
-    AlternativeId, Derivation, Genome, Grammar, GrammarError, Invalid, Limits, Mapper, Mutating, RuleId, Symbol,
-    TerminalId,
+    AlternativeId, Derivation, Genome, Grammar, GrammarError, Invalid, Limits, Mapped, Mapper, Mutating, RuleId,
+    Symbol, TerminalId,
 };
 use crate::fingerprint::Fingerprint;
 use std::fmt;
@@ -43,7 +43,7 @@ pub struct Compiler {
     mapper: Mapper,
     limits: Limits,
     /// For each alternative, what its own text brings: the names as bits, and the number of leaves above them.
-    brought: Vec<u32>,
+    brought: Vec<u64>,
     /// The set of names that an alternative's text brings, without `DummyNode`.
     names: Vec<u16>,
     /// All names of the grammar.
@@ -96,10 +96,8 @@ pub struct Survey {
     pub diversity: f64,
 }
 
-/// One leaf above the bits of the names.
-const LEAF: u32 = 1 << Name::ALL.len();
-/// The bits of the names.
-const NAMES: u32 = LEAF - 1;
+/// One leaf, above the bits of the names.
+const LEAF: u64 = 1 << 32;
 /// The bit of `DummyNode`, which is in no set of names that counts.
 const DUMMY: u32 = 1 << Name::DummyNode as u32;
 
@@ -143,15 +141,15 @@ impl Compiler {
         let (mut brought, mut names) = (Vec::new(), Vec::new());
         for rule in (0..grammar.rule_count()).map(RuleId) {
             for alternative in grammar.alternatives(rule) {
-                let mut leaves = 0_u32;
+                let mut leaves = 0_u64;
                 for (symbol, _) in grammar.symbols(alternative) {
                     let Symbol::Terminal(terminal) = symbol else { continue };
                     for name in &names_of[usize::from(terminal.0)] {
-                        leaves = (leaves | 1 << *name as u32) + LEAF;
+                        leaves = (leaves | 1 << *name as u64) + LEAF;
                     }
                 }
                 brought.push(leaves);
-                names.push((leaves & NAMES & !DUMMY) as u16);
+                names.push((leaves as u32 & !DUMMY) as u16);
             }
         }
         let vocabulary = names.iter().fold(0, |set, bits| set | bits);
@@ -254,16 +252,29 @@ impl Compiler {
     ///
     /// - `mutation`: changes the codons while they are read, that is, within the used part.
     pub fn survey(&mut self, genome: &mut Genome, mutation: Option<Mutating>) -> Option<Survey> {
-        let mut names = NameSet { brought: &self.brought, set: 0, leaves: 0 };
+        let (mapped, names) = match self.rule {
+            DiversityRule::Names => self.collect::<false>(genome, mutation),
+            DiversityRule::Leaves => self.collect::<true>(genome, mutation),
+        };
+        // More than 65,535 codons can only be used through wraps; the count then only says "all of them".
+        genome.used = mapped.map_or(0, |mapped| u16::try_from(mapped.used).unwrap_or(u16::MAX));
+        let (set, leaves) = (names[0] as u32, (names[1] / LEAF) as u32);
+        mapped.ok()?;
+        Some(Survey { names: (set & !DUMMY) as u16, diversity: self.diversity(&genome.codons, set, leaves) })
+    }
+
+    /// Maps a genome; returns what [`NameSet::found`] holds then.
+    fn collect<const LEAVES: bool>(
+        &mut self,
+        genome: &mut Genome,
+        mutation: Option<Mutating>,
+    ) -> (Result<Mapped, Invalid>, [u64; 2]) {
+        let mut names = NameSet::<LEAVES> { brought: &self.brought, found: [0; 2] };
         let mapped = match mutation {
             Some(mutation) => self.mapper.map((genome.codons.as_mut_slice(), mutation), self.limits, &mut names),
             None => self.mapper.map(genome.codons.as_slice(), self.limits, &mut names),
         };
-        // More than 65,535 codons can only be used through wraps; the count then only says "all of them".
-        genome.used = mapped.map_or(0, |mapped| u16::try_from(mapped.used).unwrap_or(u16::MAX));
-        let NameSet { set, leaves, .. } = names;
-        mapped.ok()?;
-        Some(Survey { names: (set & !DUMMY) as u16, diversity: self.diversity(&genome.codons, set, leaves) })
+        (mapped, names.found)
     }
 
     /// The greatest diversity that a program within the depth limit can have.
@@ -295,19 +306,23 @@ impl Compiler {
     }
 }
 
-struct NameSet<'a> {
-    brought: &'a [u32],
-    set: u32,
-    leaves: u32,
+/// What the alternatives of a derivation bring.
+struct NameSet<'a, const LEAVES: bool> {
+    brought: &'a [u64],
+    /// All united, whose lower half is the set of names; and (with `LEAVES`, which takes time) all added, whose upper half
+    /// is the number of leaves, out of reach of the names below.
+    found: [u64; 2],
 }
 
-impl Derivation for NameSet<'_> {
+impl<const LEAVES: bool> Derivation for NameSet<'_, LEAVES> {
     const TERMINALS: bool = false;
 
     fn expand(&mut self, _rule: RuleId, alternative: AlternativeId, _codon: u16, _depth: u32) {
         let brought = self.brought[usize::from(alternative.0)];
-        self.set |= brought & NAMES;
-        self.leaves = self.leaves.saturating_add(brought / LEAF);
+        self.found[0] |= brought;
+        if LEAVES {
+            self.found[1] = self.found[1].wrapping_add(brought);
+        }
     }
 }
 

@@ -34,6 +34,7 @@ pub mod parameter;
 pub mod place;
 pub mod random;
 pub mod scenario;
+pub mod sequencing;
 pub mod study;
 pub mod verdict;
 #[cfg(target_arch = "wasm32")]

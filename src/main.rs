@@ -12,7 +12,7 @@ use std::time::Instant;
 use swarm_playground::bt::xml::{self, Manifest, Problem};
 use swarm_playground::scenario::schema;
 use swarm_playground::workbench::{Setup, tick_headless};
-use swarm_playground::{bt, evolution};
+use swarm_playground::{bt, evolution, sequencing};
 
 /// Evolve, search for and coach the behaviour of groups of agents.
 #[derive(Parser)]
@@ -63,6 +63,11 @@ enum Conform {
     },
     /// Behaviour-tree cases (schema bt-oracle/1)
     Bt {
+        /// The cases file
+        file: PathBuf,
+    },
+    /// Cases of the swarm model and of the planner of behaviour sequences
+    Sequencing {
         /// The cases file
         file: PathBuf,
     },
@@ -118,11 +123,16 @@ fn main() -> ExitCode {
 }
 
 fn conform(what: &Conform) -> Result<(), Failure> {
-    let (Conform::Evolution { file } | Conform::Bt { file }) = what;
+    let (Conform::Evolution { file } | Conform::Bt { file } | Conform::Sequencing { file }) = what;
     let text = read_file(file)?;
+    let mut skipped = Vec::new();
     let verdicts = match what {
         Conform::Evolution { .. } => evolution::Cases::read(&text).map(|cases| cases.run()),
         Conform::Bt { .. } => bt::Cases::read(&text).map(|cases| cases.run()),
+        Conform::Sequencing { .. } => sequencing::Cases::read(&text).map(|cases| {
+            skipped = cases.skipped();
+            cases.run()
+        }),
     };
     let verdicts = verdicts.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
     for verdict in &verdicts {
@@ -130,6 +140,9 @@ fn conform(what: &Conform) -> Result<(), Failure> {
             None => print(&format!("ok {}", verdict.id))?,
             Some(fault) => print(&format!("FAIL {}: {fault}", verdict.id))?,
         }
+    }
+    for reason in &skipped {
+        print(&format!("skip {reason}"))?;
     }
     let failed = verdicts.iter().filter(|verdict| verdict.fault.is_some()).count();
     print(&format!("{} passed, {failed} failed", verdicts.len() - failed))?;

@@ -2,16 +2,22 @@
 
 mod behaviours;
 mod cases;
+mod costs;
 mod cover;
 mod dynamics;
+mod estimate;
+mod geodesic;
 mod map;
 mod replay;
+mod search;
 mod tasks;
 
 pub use behaviours::{Behaviour, LETTERS, Law, Meta, RADII, Shape, library, standard};
 pub use cases::Cases;
+pub use costs::{Costs, Past, Switches};
 pub use cover::Cells;
 pub use dynamics::{Kernel, SPEED_LIMIT, STEP, STEPS_PER_SECOND, TURN_LIMIT, signed_angle};
 pub use map::{Bounds, Form, Obstacle};
 pub use replay::{Replay, replay};
+pub use search::{Counts, Limit, Method, Options, Outcome, Plan, Progress, Search, Slot};
 pub use tasks::{Collision, Goal, Parts, Task, TaskError, Touched};

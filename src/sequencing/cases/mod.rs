@@ -1,6 +1,7 @@
 //! Running a file of cases (controls, vectors, searches, full-size plans, coverage) against the model and the planner.
 
 mod model;
+mod plans;
 
 use super::behaviours::library;
 use super::cover::Cells;
@@ -18,6 +19,8 @@ pub struct Cases {
     _conventions: BTreeMap<String, Value>,
     controls: Vec<model::ControlCase>,
     vectors: Vec<model::VectorCase>,
+    searches: Vec<plans::SearchCase>,
+    full_size: Vec<plans::FullCase>,
     coverage: Vec<model::CoverageCase>,
 }
 
@@ -71,6 +74,12 @@ impl Cases {
     pub fn run(&self) -> Vec<CaseVerdict> {
         let mut verdicts = self.run_model();
         let mut add = |id: String, fault: Result<(), String>| verdicts.push(CaseVerdict { id, fault: fault.err() });
+        for case in &self.searches {
+            add(format!("searches {}", case.name), case.run());
+        }
+        for case in &self.full_size {
+            add(format!("full_size {}", case.name), case.run());
+        }
         for case in &self.coverage {
             add(format!("coverage {}", case.name), case.run());
         }

@@ -38,6 +38,11 @@ enum Command {
         #[command(subcommand)]
         what: TreeCommand,
     },
+    /// Measure the variants of the search for behaviour sequences
+    Sequence {
+        #[command(subcommand)]
+        what: SequenceCommand,
+    },
     /// Make the runs of a study; a run that was stopped goes on where it was
     Study(cli::study::StudyArguments),
     /// Print the report on the results of a study, as Markdown
@@ -74,6 +79,12 @@ enum Conform {
 }
 
 #[derive(Subcommand)]
+enum SequenceCommand {
+    /// Print integrations, time and cost of each variant on generated layouts, as a Markdown table
+    Bench(cli::sequence::BenchArguments),
+}
+
+#[derive(Subcommand)]
 enum TreeCommand {
     /// Say whether a file is valid, and every fault with its place
     Check {
@@ -106,6 +117,7 @@ fn main() -> ExitCode {
         Command::Schema => print(&format!("{:#}", schema())),
         Command::Conform { what } => conform(&what),
         Command::Tree { what } => tree(&what),
+        Command::Sequence { what: SequenceCommand::Bench(arguments) } => cli::sequence::bench(&arguments),
         Command::Study(arguments) => cli::study::study(&arguments),
         Command::Report(arguments) => cli::report::report(&arguments),
         Command::Merge(arguments) => cli::report::merge(&arguments),

@@ -42,6 +42,8 @@ pub enum Purpose {
     Evolution = 5,
     /// Where obstacles and traps stand.
     Terrain = 6,
+    /// How starts are moved to see whether a plan survives it; one stream per replay.
+    Jitter = 20,
 }
 
 /// The stream of one purpose, and of one agent where agents draw (`index` 0 otherwise).

@@ -229,6 +229,18 @@ impl Kernel {
         }
     }
 
+    /// Commands all robots by a law and moves them by one step in the open.
+    pub fn advance(&mut self, law: &Law, state: &mut [f64]) {
+        self.control(law, state);
+        let robots = self.robots;
+        for robot in 0..robots {
+            let moved = self.moved(robot, [0, 1, 2].map(|part| state[part * robots + robot]));
+            for (part, real) in moved.into_iter().enumerate() {
+                state[part * robots + robot] = real;
+            }
+        }
+    }
+
     /// Where a robot is after the step just commanded, and its heading then; its length grows by |u_v| dt.
     ///
     /// The command is held for the step and the heading taken in its middle: eq. (11) integrated with dt = 0.1 s,

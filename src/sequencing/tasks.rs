@@ -274,6 +274,15 @@ impl Task {
         }
     }
 
+    /// Whether every robot stands on the map and outside all obstacles.
+    #[must_use]
+    pub fn is_free(&self, state: &[f64]) -> bool {
+        (0..self.robots).all(|robot| {
+            let at = [state[robot], state[self.robots + robot]];
+            self.bounds.holds(at) && !self.obstacles.iter().any(|obstacle| obstacle.crosses(at, at))
+        })
+    }
+
     /// The distance of the farthest robot from the target's centre; 0 without a target.
     #[must_use]
     pub fn farthest(&self, state: &[f64]) -> f64 {
@@ -394,7 +403,7 @@ const MOST_CELLS: u64 = 1 << 20;
 /// The most behaviours a library may have.
 const MOST_BEHAVIOURS: usize = 64;
 
-fn check_library(library: &[Behaviour]) -> Result<(), TaskError> {
+pub(super) fn check_library(library: &[Behaviour]) -> Result<(), TaskError> {
     if library.is_empty() || library.len() > MOST_BEHAVIOURS {
         return fault("library", format!("expected 1 to {MOST_BEHAVIOURS} behaviours, found {}", library.len()));
     }

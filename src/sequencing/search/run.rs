@@ -457,6 +457,12 @@ impl Search {
         &self.task
     }
 
+    /// Whether Stops are kept for the end of the sequence.
+    #[must_use]
+    pub fn stop_last(&self) -> bool {
+        self.task.stop().is_some_and(|stop| !self.tried.contains(&stop))
+    }
+
     /// How it is searched for.
     #[must_use]
     pub fn options(&self) -> &Options {

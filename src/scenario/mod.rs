@@ -40,7 +40,7 @@ pub enum WorldParams {
     /// A swarm that carries out the best sequence of behaviours that was found for it. Left out of the first engine
     /// file that the page loads.
     #[cfg(feature = "sequencing")]
-    Sequencing(Box<sequencing::Params>),
+    Sequencing(sequencing::Params),
 }
 
 /// A live parameter changed before the step that follows `tick`.

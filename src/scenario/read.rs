@@ -74,17 +74,18 @@ fn default_of(name: &str) -> Option<WorldParams> {
     match name {
         "geese" => Some(WorldParams::Geese(geese::Params::default())),
         #[cfg(feature = "sequencing")]
-        "sequencing" => Some(WorldParams::Sequencing(Box::default())),
+        "sequencing" => Some(WorldParams::Sequencing(sequencing::Params::default())),
         _ => None,
     }
 }
 
-fn parameters(world: &WorldParams) -> Box<dyn Iterator<Item = &'static Parameter>> {
-    match world {
-        WorldParams::Geese(_) => Box::new(geese::parameters()),
+fn parameters(world: &WorldParams) -> impl Iterator<Item = &'static Parameter> + use<> {
+    let lists = match world {
+        WorldParams::Geese(_) => geese::parameters(),
         #[cfg(feature = "sequencing")]
-        WorldParams::Sequencing(_) => Box::new(sequencing::parameters()),
-    }
+        WorldParams::Sequencing(_) => sequencing::parameters(),
+    };
+    lists.into_iter().flatten()
 }
 
 /// The parameters as JSON fields.

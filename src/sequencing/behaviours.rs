@@ -125,7 +125,6 @@ impl Behaviour {
                 Law::Flock { bias: *bias, angle, reach: *radii, least: *least }
             }
             // Exactly 0, as users write it: every other gain moves somebody.
-            #[expect(clippy::float_cmp, reason = "the one gain that stops robots")]
             Meta::Consensus(gain) => {
                 if *gain == 0.0 {
                     Law::Stand

@@ -32,7 +32,7 @@ pub struct Guess {
     pub cost: f64,
     /// The bound of the state after it.
     pub rest: f64,
-    /// The second estimate of that state, see [`Estimate::second`].
+    /// The second estimate of that state, see [`second`].
     pub second: f64,
 }
 
@@ -111,30 +111,6 @@ impl Estimate {
         switch + rest.max(self.least[usize::from(next)] + time)
     }
 
-    /// An estimate that is no bound, for the second queue: north and east flocks go along two sides of a triangle, and
-    /// real flocks visit fewer cells than the bound allows.
-    #[must_use]
-    pub fn second(&self, task: &Task, state: &[f64], visited: u32) -> f64 {
-        let robots = task.robots();
-        self.second_of(task, |robot| [state[robot], state[robots + robot]], f64::from(visited))
-    }
-
-    fn second_of(&self, task: &Task, at: impl Fn(usize) -> [f64; 2], visited: f64) -> f64 {
-        match task.goal() {
-            Goal::Reach { centre, radius } => {
-                let left = |robot: usize| {
-                    let [x, y] = at(robot);
-                    ((x - centre[0]).abs() + (y - centre[1]).abs() - radius).max(0.0)
-                };
-                (0..task.robots()).map(left).sum()
-            }
-            Goal::Cover { cells, ratio } => {
-                let wanted = ratio * f64::from(cells.columns) * f64::from(cells.rows);
-                (wanted - visited).max(0.0) * cells.side / CELLS_PER_SIDE
-            }
-        }
-    }
-
     /// Guesses what a behaviour would do in the next interval: flocks go along their bias, or along their own heading
     /// without one; rendezvous, lines and their like go straight to where they want to be, as far as they can come.
     ///
@@ -180,7 +156,7 @@ impl Estimate {
                 (cover_bound(task, visited) + self.time(task, 0.0, reached), visited)
             }
         };
-        Guess { cost, rest, second: if second { self.second_of(task, at, visited) } else { 0.0 } }
+        Guess { cost, rest, second: if second { second_of(task, at, visited) } else { 0.0 } }
     }
 
     /// Writes guessed places into `room`; returns the guessed path length.
@@ -226,6 +202,30 @@ impl Estimate {
             path += if whole > 0.0 { far } else { 0.0 };
         }
         path
+    }
+}
+
+/// An estimate that is no bound, for the second queue: north and east flocks go along two sides of a triangle, and
+/// real flocks visit fewer cells than the bound allows.
+#[must_use]
+pub fn second(task: &Task, state: &[f64], visited: u32) -> f64 {
+    let robots = task.robots();
+    second_of(task, |robot| [state[robot], state[robots + robot]], f64::from(visited))
+}
+
+fn second_of(task: &Task, at: impl Fn(usize) -> [f64; 2], visited: f64) -> f64 {
+    match task.goal() {
+        Goal::Reach { centre, radius } => {
+            let left = |robot: usize| {
+                let [x, y] = at(robot);
+                ((x - centre[0]).abs() + (y - centre[1]).abs() - radius).max(0.0)
+            };
+            (0..task.robots()).map(left).sum()
+        }
+        Goal::Cover { cells, ratio } => {
+            let wanted = ratio * f64::from(cells.columns) * f64::from(cells.rows);
+            (wanted - visited).max(0.0) * cells.side / CELLS_PER_SIDE
+        }
     }
 }
 

@@ -133,9 +133,9 @@ fn is_convex(corners: &[[f64; 2]]) -> bool {
     let mut turned = 0.0;
     for at in 0..count {
         let [a, b, c] = [at, at + 1, at + 2].map(|at| corners[at % count]);
-        let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
-        let angle = super::dynamics::signed_angle(u, v);
-        if u == [0.0, 0.0] || angle * sense < 0.0 {
+        let (side, next) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
+        let angle = super::dynamics::signed_angle(side, next);
+        if side == [0.0, 0.0] || angle * sense < 0.0 {
             return false;
         }
         turned += angle.abs();

@@ -181,9 +181,13 @@ impl World {
         let State { tick, swarm, marks, visited, lengths } = &self.state;
         hash.u32(*tick);
         swarm.iter().chain(lengths).for_each(|&real| hash.f64(real));
-        marks.iter().for_each(|&word| hash.u64(word));
+        for &word in marks {
+            hash.u64(word);
+        }
         hash.u32(*visited);
-        self.plan.iter().for_each(|&behaviour| hash.u32(u32::from(behaviour)));
+        for &behaviour in &self.plan {
+            hash.u32(u32::from(behaviour));
+        }
         hash.u64(self.solution.expanded);
         hash.u64(self.solution.integrated);
         hash.f64(self.solution.cost.unwrap_or(f64::INFINITY));

@@ -35,7 +35,7 @@ pub fn sequence_complete(scenario: &str) -> Result<String, JsError> {
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct Sequence {
-    params: Box<Params>,
+    params: Params,
     seed: Seed,
     task: Task,
     search: Search,

@@ -20,8 +20,9 @@ const fn real(min: f64, max: f64, hard_max: f64, step: f64) -> Kind {
 }
 
 /// All parameters, in the order in which the page shows them.
-pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-    world::PARAMETERS.iter().chain(evolution::PARAMETERS)
+#[must_use]
+pub fn parameters() -> [&'static [Parameter]; 2] {
+    [world::PARAMETERS, evolution::PARAMETERS]
 }
 
 impl Params {

@@ -181,8 +181,8 @@ fn near(what: &str, expected: f64, found: f64, tolerance: f64) -> Result<(), Str
 
 fn near_all(what: &str, expected: &[f64], found: &[f64], tolerance: f64) -> Result<(), String> {
     same(&format!("{what}, numbers"), &expected.len(), &found.len())?;
-    let pairs = expected.iter().zip(found).enumerate();
-    pairs.map(|(at, (expected, found))| near(&format!("{what}[{at}]"), *expected, *found, tolerance)).collect()
+    let mut pairs = expected.iter().zip(found).enumerate();
+    pairs.try_for_each(|(at, (expected, found))| near(&format!("{what}[{at}]"), *expected, *found, tolerance))
 }
 
 fn same<T: PartialEq + std::fmt::Debug + ?Sized>(what: &str, expected: &T, found: &T) -> Result<(), String> {

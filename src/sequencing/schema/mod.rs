@@ -14,6 +14,7 @@ const fn real(min: f64, max: f64, hard_max: f64, step: f64) -> Kind {
 }
 
 /// All parameters, in the order in which the page shows them.
-pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-    task::PARAMETERS.iter().chain(planner::PARAMETERS)
+#[must_use]
+pub fn parameters() -> [&'static [Parameter]; 2] {
+    [task::PARAMETERS, planner::PARAMETERS]
 }

@@ -24,7 +24,7 @@ pub struct Node {
 /// All nodes: 24 M bytes of state each, marks of cells where there is a grid, and the above.
 #[derive(Clone, Debug)]
 pub struct Nodes {
-    nodes: Vec<Node>,
+    all: Vec<Node>,
     states: Vec<f64>,
     marks: Vec<u64>,
     reals: usize,
@@ -37,21 +37,21 @@ impl Nodes {
     /// - `reals`: of one state. `words`: of the marks of one state.
     #[must_use]
     pub fn new(reals: usize, words: usize) -> Self {
-        Self { nodes: Vec::new(), states: Vec::new(), marks: Vec::new(), reals, words }
+        Self { all: Vec::new(), states: Vec::new(), marks: Vec::new(), reals, words }
     }
 
     /// Stores a node; returns its number.
     pub fn push(&mut self, node: Node, state: &[f64], marks: &[u64]) -> u32 {
-        self.nodes.push(node);
+        self.all.push(node);
         self.states.extend_from_slice(state);
         self.marks.extend_from_slice(marks);
-        self.nodes.len() as u32 - 1
+        self.all.len() as u32 - 1
     }
 
     /// A node.
     #[must_use]
     pub fn get(&self, node: u32) -> &Node {
-        &self.nodes[node as usize]
+        &self.all[node as usize]
     }
 
     /// Its state.
@@ -69,7 +69,7 @@ impl Nodes {
     /// How many there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.nodes.len()
+        self.all.len()
     }
 
     /// Bytes taken by one.

@@ -2,7 +2,7 @@
 
 use super::super::costs::Past;
 use super::super::dynamics::Kernel;
-use super::super::estimate::Estimate;
+use super::super::estimate::{self, Estimate};
 use super::super::tasks::{Collision, Task};
 use super::nodes::{Node, Nodes};
 use super::queue::{Entry, NONE, Queue};
@@ -124,7 +124,7 @@ impl Search {
         let rest = self.estimate.rest(task, &state, visited);
         let is_goal = task.is_goal(&state, visited);
         let node = Node { cost, rest: rest.bound, parent: 0, visited, depth, behaviour: NONE, past };
-        let second = self.estimate.second(task, &state, visited);
+        let second = estimate::second(task, &state, visited);
         let number = self.nodes.push(node, &state, &marks);
         let closed = is_goal && self.options.method != Method::Literal && self.offer(number, None);
         let late = self.is_late(rest.gap, depth) || (depth == self.task.decisions() && !is_goal);
@@ -336,7 +336,7 @@ impl Search {
         let depth = parent.depth + 1;
         let visited = parent.visited + new;
         let rest = self.estimate.rest(task, &slot.state, visited);
-        let second = self.estimate.second(task, &slot.state, visited);
+        let second = estimate::second(task, &slot.state, visited);
         let mut entry = Entry::new(0, NONE, depth, [cost, rest.bound, cost + rest.bound, second]);
         let key = entry.key(self.weight);
         let fate = if literal {
@@ -518,6 +518,6 @@ impl Search {
             [x as f32, y as f32]
         };
         let ([x0, y0], [x1, y1]) = (middle(self.nodes.state(slot.node)), middle(&slot.state));
-        self.drawn.extend([x0, y0, x1, y1, key as f32, fate as u8 as f32]);
+        self.drawn.extend([x0, y0, x1, y1, key as f32, f32::from(fate as u8)]);
     }
 }

@@ -147,6 +147,6 @@ mod tests {
         let walls =
             [[-6.0, -8.0, 18.0, -6.0], [-6.0, 14.0, 18.0, 16.0], [-6.0, -8.0, -4.0, 16.0], [16.0, -8.0, 18.0, 16.0]];
         let walls = walls.map(|sides| Obstacle::new(Form::Box(sides)));
-        assert_eq!(Ways::new(&MAP, &walls, [6.0, 4.0], 7.0).length([-20.0, 0.0]), f64::INFINITY);
+        assert!(Ways::new(&MAP, &walls, [6.0, 4.0], 7.0).length([-20.0, 0.0]).is_infinite());
     }
 }

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 pub const SPEED_LIMIT: f64 = 2.0;
 /// Greatest turning rate in radians per second. Source: section V-A.
 pub const TURN_LIMIT: f64 = PI / 8.0;
-/// Steps in a second. The paper names no step; section 11 of our model is a 10 Hz digital controller.
+/// Steps in a second. The paper names no step; ours is that of a 10 Hz controller.
 pub const STEPS_PER_SECOND: u32 = 10;
 /// Seconds of one step.
 pub const STEP: f64 = 0.1;

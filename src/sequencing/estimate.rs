@@ -4,7 +4,8 @@ use super::behaviours::{Behaviour, Law, Meta};
 use super::costs::{Costs, Past};
 use super::dynamics::SPEED_LIMIT;
 use super::geodesic::Ways;
-use super::tasks::{Goal, Task};
+use super::parts::Goal;
+use super::tasks::Task;
 
 /// The bounds and guesses of one task.
 #[derive(Clone, Debug)]

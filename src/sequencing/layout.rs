@@ -1,8 +1,9 @@
 //! Layouts drawn from a seed. The paper gives none of its own; these are made to look like its figures.
 
+use super::lists::area;
 use super::map::{Bounds, Form, Obstacle};
-use super::params::{Params, TaskKind, area};
-use super::tasks::Parts;
+use super::params::{Params, TaskKind};
+use super::parts::Parts;
 use crate::random::{Purpose, Seed, Stream, stream};
 use rand::RngExt;
 use std::f64::consts::PI;

@@ -1,8 +1,9 @@
 //! Cases of the model: commands, single behaviours, sequences over a grid.
 
 use super::super::dynamics::Kernel;
+use super::super::parts::Goal;
 use super::super::replay::replay;
-use super::super::tasks::{Goal, Task};
+use super::super::tasks::Task;
 use super::{CONTROLS, Grid, NAMES, PLANS, Poses, World, goal, near, near_all, same, task};
 use serde::Deserialize;
 use std::collections::BTreeMap;

@@ -2,9 +2,10 @@
 
 use super::super::costs::{Costs, Switches};
 use super::super::dynamics::Kernel;
+use super::super::parts::Goal;
 use super::super::replay::{Replay, replay};
 use super::super::search::{Method, Options, Outcome, Search};
-use super::super::tasks::{Goal, Task};
+use super::super::tasks::Task;
 use super::{Grid, PLANS, Poses, World, goal, near, near_all, same, task};
 use serde::Deserialize;
 

@@ -80,12 +80,12 @@ fn default_of(name: &str) -> Option<WorldParams> {
 }
 
 fn parameters(world: &WorldParams) -> impl Iterator<Item = &'static Parameter> + use<> {
-    let lists = match world {
+    let [first, second] = match world {
         WorldParams::Geese(_) => geese::parameters(),
         #[cfg(feature = "sequencing")]
         WorldParams::Sequencing(_) => sequencing::parameters(),
     };
-    lists.into_iter().flatten()
+    first.iter().chain(second)
 }
 
 /// The parameters as JSON fields.

@@ -155,7 +155,7 @@ function onPath(name) {
 }
 
 const make = (...goals) => ['make', '--silent', '--no-print-directory', ...goals];
-const WASM = ['--target', 'wasm32-unknown-unknown', '--no-default-features', '--features', 'worlds,trees,studies'];
+const WASM = ['--target', 'wasm32-unknown-unknown', '--no-default-features', '--features', 'worlds,trees,studies,sequence'];
 
 // What a later part needs from an earlier one.
 let built = false;
@@ -184,7 +184,7 @@ const PARTS = [
     () =>
       tests(
         ['wasm-pack', '--log-level', 'warn', 'test', '--mode', 'no-install', '--node']
-          .concat(['--', '--no-default-features', '--lib', '--test', '*']),
+          .concat(['--', '--no-default-features', '--features', 'sequencing', '--lib', '--test', '*']),
         { CARGO_PROFILE_DEV_DEBUG: '0' },
       ),
   ],

@@ -21,6 +21,7 @@
 //!   a parameter, places in a text, spelling, how a case came out.
 //! - [`bt`]: behaviour trees. [`evolution`]: grammatical evolution. Neither knows a world.
 //! - [`geese`]: the foraging swarm that evolves its behaviour trees. [`workbench`]: any tree, tick by tick.
+//! - [`sequencing`]: a swarm of unicycles, and the search for the cheapest sequence of its behaviours.
 //! - [`scenario`]: the one JSON description of a run, and runs that can be sought through.
 //! - [`study`]: many runs of a scenario and its variants, their results and the report on them.
 //! - `web`: the wasm face. The command line is `src/main.rs`.
@@ -34,6 +35,7 @@ pub mod parameter;
 pub mod place;
 pub mod random;
 pub mod scenario;
+pub mod sequencing;
 pub mod study;
 pub mod verdict;
 #[cfg(target_arch = "wasm32")]

@@ -12,7 +12,7 @@ use std::time::Instant;
 use swarm_playground::bt::xml::{self, Manifest, Problem};
 use swarm_playground::scenario::schema;
 use swarm_playground::workbench::{Setup, tick_headless};
-use swarm_playground::{bt, evolution};
+use swarm_playground::{bt, evolution, sequencing};
 
 /// Evolve, search for and coach the behaviour of groups of agents.
 #[derive(Parser)]
@@ -37,6 +37,11 @@ enum Command {
     Tree {
         #[command(subcommand)]
         what: TreeCommand,
+    },
+    /// Measure the variants of the search for behaviour sequences
+    Sequence {
+        #[command(subcommand)]
+        what: SequenceCommand,
     },
     /// Make the runs of a study; a run that was stopped goes on where it was
     Study(cli::study::StudyArguments),
@@ -68,6 +73,17 @@ enum Conform {
         /// The cases file
         file: PathBuf,
     },
+    /// Cases of the swarm model and of the planner of behaviour sequences
+    Sequencing {
+        /// The cases file
+        file: PathBuf,
+    },
+}
+
+#[derive(Subcommand)]
+enum SequenceCommand {
+    /// Print integrations, time and cost of each variant on generated layouts, as a Markdown table
+    Bench(cli::sequence::BenchArguments),
 }
 
 #[derive(Subcommand)]
@@ -103,6 +119,7 @@ fn main() -> ExitCode {
         Command::Schema => print(&format!("{:#}", schema())),
         Command::Conform { what } => conform(&what),
         Command::Tree { what } => tree(&what),
+        Command::Sequence { what: SequenceCommand::Bench(arguments) } => cli::sequence::bench(&arguments),
         Command::Study(arguments) => cli::study::study(&arguments),
         Command::Report(arguments) => cli::report::report(&arguments),
         Command::Reproduction(arguments) => cli::report::reproduction(&arguments),
@@ -121,11 +138,16 @@ fn main() -> ExitCode {
 }
 
 fn conform(what: &Conform) -> Result<(), Failure> {
-    let (Conform::Evolution { file } | Conform::Bt { file }) = what;
+    let (Conform::Evolution { file } | Conform::Bt { file } | Conform::Sequencing { file }) = what;
     let text = read_file(file)?;
+    let mut skipped = Vec::new();
     let verdicts = match what {
         Conform::Evolution { .. } => evolution::Cases::read(&text).map(|cases| cases.run()),
         Conform::Bt { .. } => bt::Cases::read(&text).map(|cases| cases.run()),
+        Conform::Sequencing { .. } => sequencing::Cases::read(&text).map(|cases| {
+            skipped = cases.skipped();
+            cases.run()
+        }),
     };
     let verdicts = verdicts.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
     for verdict in &verdicts {
@@ -133,6 +155,9 @@ fn conform(what: &Conform) -> Result<(), Failure> {
             None => print(&format!("ok {}", verdict.id))?,
             Some(fault) => print(&format!("FAIL {}: {fault}", verdict.id))?,
         }
+    }
+    for reason in &skipped {
+        print(&format!("skip {reason}"))?;
     }
     let failed = verdicts.iter().filter(|verdict| verdict.fault.is_some()).count();
     print(&format!("{} passed, {failed} failed", verdicts.len() - failed))?;

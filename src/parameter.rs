@@ -67,6 +67,8 @@ pub enum Kind {
     Choice(&'static [(&'static str, &'static str)]),
     /// Text of at most so many bytes.
     Text(usize),
+    /// A list of at most so many items, which the world reads.
+    List(usize),
 }
 
 impl Kind {
@@ -108,6 +110,11 @@ impl Kind {
                 Some(text) if text.len() <= *most => Ok(value.clone()),
                 Some(text) => Err(format!("expected at most {most} bytes of text, found {}", text.len())),
                 None => fault("text".to_owned()),
+            },
+            Self::List(most) => match value.as_array() {
+                Some(items) if items.len() <= *most => Ok(value.clone()),
+                Some(items) => Err(format!("expected at most {most} items, found {}", items.len())),
+                None => fault("a list".to_owned()),
             },
         }
     }
@@ -167,6 +174,7 @@ impl Parameter {
                 ("choice", serde_json::json!({ "choices": choices }))
             }
             Kind::Text(most) => ("text", serde_json::json!({ "max_length": most })),
+            Kind::List(most) => ("list", serde_json::json!({ "max_length": most })),
         };
         if let (Value::Object(entry), Value::Object(more)) = (&mut entry, more) {
             entry.insert("type".to_owned(), Value::from(kind));

@@ -53,6 +53,8 @@ pub enum Purpose {
     Settlement = 7,
     /// What an agent's state machine does with a probability.
     Luck = 16,
+    /// How starts are moved to see whether a plan survives it; one stream per replay.
+    Jitter = 20,
 }
 
 /// The stream of one purpose, and of one agent where agents draw (`index` 0 otherwise).

@@ -20,7 +20,9 @@ const FORAGING: &str = include_str!("../scenarios/published.json");
 const NEST: &str = include_str!("../scenarios/published-nest.json");
 
 fn params(preset: &str) -> Params {
-    let WorldParams::Geese(params) = Scenario::read(preset).expect("the preset is valid").world;
+    let WorldParams::Geese(params) = Scenario::read(preset).expect("the preset is valid").world else {
+        panic!("a preset of the swarm");
+    };
     params
 }
 

@@ -18,8 +18,8 @@ fn refused(value: &Value) -> String {
 fn a_refusal_names_the_path_what_was_found_and_what_is_allowed() {
     let geese = |name: &str, value: Value| json!({"world": "geese", name: value});
     let cases = [
-        (json!({}), "world: expected one of \"geese\", found no such field"),
-        (json!({"world": "ducks"}), "world: expected one of \"geese\", found \"ducks\""),
+        (json!({}), "world: expected one of \"geese\", \"sequencing\", found no such field"),
+        (json!({"world": "ducks"}), "world: expected one of \"geese\", \"sequencing\", found \"ducks\""),
         (json!([1]), "expected a scenario, an object with a field \"world\", found a list"),
         (geese("agents", json!(0)), "agents: expected a whole number from 1 to 10000 robots, found 0"),
         (geese("agents", json!(2.5)), "agents: expected a whole number from 1 to 10000 robots, found 2.5"),
@@ -96,25 +96,59 @@ fn a_scenario_survives_writing_and_reading() {
 
 #[test]
 fn every_parameter_of_the_schema_is_a_field_with_a_valid_default() {
-    let all = read(&json!({"world": "geese"})).expect("the defaults are valid").to_value();
     let schema = schema();
-    let entries = schema.as_array().expect("a list");
-    for entry in entries {
-        let key = entry["key"].as_str().expect("a key");
-        let name = key.strip_prefix("geese.").unwrap_or(key);
-        assert_eq!(all[name], entry["default"], "{key}");
-        for text in ["label", "help", "source", "group"] {
-            assert!(entry[text].as_str().is_some_and(|text| !text.is_empty()), "{key} lacks its {text}");
+    for world in ["geese", "sequencing"] {
+        let all = read(&json!({ "world": world })).expect("the defaults are valid").to_value();
+        let entries: Vec<(&str, &Value)> = (schema.as_array().expect("a list").iter())
+            .filter_map(|entry| {
+                let key = entry["key"].as_str().expect("a key");
+                let name = if key == "seed" { key } else { key.strip_prefix(world)?.strip_prefix('.')? };
+                Some((name, entry))
+            })
+            .collect();
+        for (name, entry) in &entries {
+            assert_eq!(all[name], entry["default"], "{world}.{name}");
+            for text in ["label", "help", "source", "group"] {
+                assert!(entry[text].as_str().is_some_and(|text| !text.is_empty()), "{world}.{name} lacks its {text}");
+            }
+            if let (Some(min), Some(max), Some(hard)) =
+                (entry["min"].as_f64(), entry["max"].as_f64(), entry["hard_max"].as_f64())
+            {
+                let default = entry["default"].as_f64().expect("a number");
+                assert!(min <= default && default <= max && max <= hard, "{world}.{name}");
+            }
         }
-        if let (Some(min), Some(max), Some(hard)) =
-            (entry["min"].as_f64(), entry["max"].as_f64(), entry["hard_max"].as_f64())
-        {
-            let default = entry["default"].as_f64().expect("a number");
-            assert!(min <= default && default <= max && max <= hard, "{key}");
-        }
+        // And every field is in the schema: world, title, about and events belong to all worlds.
+        assert_eq!(all.as_object().expect("an object").len(), entries.len() + 4);
     }
-    // And every field is in the schema: world, title, about and events belong to all worlds.
-    assert_eq!(all.as_object().expect("an object").len(), entries.len() + 4);
+}
+
+#[test]
+fn a_plan_is_carried_out_tick_by_tick_and_can_be_sought_through() {
+    let given = json!({"world": "sequencing", "seed": 4, "robots": 5, "decisions": 8, "target-x": -10, "target-y": -10,
+        "obstacles": 0, "jitter-runs": 0});
+    let scenario = read(&given).expect("valid");
+    assert_eq!(Scenario::from_value(&scenario.to_value()), Ok(scenario.clone()));
+    assert_eq!(scenario.world.steps(), 800);
+    let mut run = Run::new(scenario.clone()).expect("it builds");
+    let start = run.fingerprint();
+    assert_eq!(run.advance(2000), 800);
+    assert_eq!(run.finished(), Some("the plan was carried out"));
+    let end = run.fingerprint();
+    let outcome = serde_json::to_value(run.outcome()).expect("it is written");
+    assert_eq!((&outcome["result"], &outcome["goal"]), (&json!("solved"), &json!(true)));
+    let mut timeline = Timeline::new(Run::new(scenario).expect("it builds"), 1 << 20);
+    for (tick, fingerprint) in [(800, Some(end)), (123, None), (0, Some(start)), (800, Some(end))] {
+        assert_eq!(timeline.seek(tick, u32::MAX), tick);
+        assert!(fingerprint.is_none_or(|fingerprint| fingerprint == timeline.run().fingerprint()), "tick {tick}");
+    }
+    let error = timeline.set("sequencing.weight", &json!(2)).expect_err("a plan is a plan").to_string();
+    assert_eq!(
+        error,
+        "sequencing.weight: expected a parameter that can change during a run, found one that needs a restart"
+    );
+    let error = timeline.set("sequencing.q", &json!(2)).expect_err("no such").to_string();
+    assert_eq!(error, "sequencing.q: unknown parameter; nothing of this world can change during a run");
 }
 
 fn timeline(budget: usize) -> Timeline {

@@ -2,6 +2,7 @@
 
 pub mod report;
 pub mod run;
+pub mod sequence;
 pub mod study;
 
 use std::fs;

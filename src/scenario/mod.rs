@@ -13,6 +13,8 @@ pub use timeline::Timeline;
 
 use crate::geese;
 use crate::random::Seed;
+#[cfg(feature = "sequencing")]
+use crate::sequencing;
 use serde_json::Value;
 
 /// A run, described completely: the same scenario gives the same states on every machine.
@@ -35,6 +37,10 @@ pub struct Scenario {
 pub enum WorldParams {
     /// A swarm that forages while it evolves.
     Geese(geese::Params),
+    /// A swarm that carries out the best sequence of behaviours that was found for it. Left out of the first engine
+    /// file that the page loads.
+    #[cfg(feature = "sequencing")]
+    Sequencing(sequencing::Params),
 }
 
 /// A live parameter changed before the step that follows `tick`.
@@ -54,6 +60,8 @@ impl WorldParams {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Geese(_) => "geese",
+            #[cfg(feature = "sequencing")]
+            Self::Sequencing(_) => "sequencing",
         }
     }
 
@@ -62,6 +70,8 @@ impl WorldParams {
     pub fn steps(&self) -> u32 {
         match self {
             Self::Geese(params) => params.steps,
+            #[cfg(feature = "sequencing")]
+            Self::Sequencing(params) => params.steps(),
         }
     }
 }

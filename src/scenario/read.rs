@@ -5,6 +5,8 @@ use crate::geese;
 use crate::nearest::nearest;
 use crate::parameter::{Apply, Parameter, shown};
 use crate::random::Seed;
+#[cfg(feature = "sequencing")]
+use crate::sequencing;
 use serde_json::{Map, Value, json};
 use std::fmt;
 
@@ -50,24 +52,51 @@ pub fn schema() -> Value {
         "help": "Every random draw follows from it: the same seed gives the same run on every machine.",
         "source": "our choice",
     })];
-    let defaults = fields_of(&WorldParams::Geese(geese::Params::default()));
-    entries.extend(geese::parameters().map(|parameter| {
-        let default = defaults.get(parameter.name).unwrap_or(&Value::Null);
-        parameter.schema("geese.", default)
-    }));
+    for world in WORLDS.iter().filter_map(|name| default_of(name)) {
+        let (prefix, defaults) = (format!("{}.", world.name()), fields_of(&world));
+        entries.extend(parameters(&world).map(|parameter| {
+            let default = defaults.get(parameter.name).unwrap_or(&Value::Null);
+            parameter.schema(&prefix, default)
+        }));
+    }
     Value::Array(entries)
 }
 
-fn parameters(world: &WorldParams) -> impl Iterator<Item = &'static Parameter> + use<> {
-    match world {
-        WorldParams::Geese(_) => geese::parameters(),
+/// The names of the worlds.
+const WORLDS: &[&str] = &[
+    "geese",
+    #[cfg(feature = "sequencing")]
+    "sequencing",
+];
+
+/// The world of this name with its defaults.
+fn default_of(name: &str) -> Option<WorldParams> {
+    match name {
+        "geese" => Some(WorldParams::Geese(geese::Params::default())),
+        #[cfg(feature = "sequencing")]
+        "sequencing" => Some(WorldParams::Sequencing(sequencing::Params::default())),
+        _ => None,
     }
+}
+
+fn parameters(world: &WorldParams) -> impl Iterator<Item = &'static Parameter> + use<> {
+    let lists = match world {
+        WorldParams::Geese(_) => geese::parameters(),
+        #[cfg(feature = "sequencing")]
+        WorldParams::Sequencing(_) => sequencing::parameters(),
+    };
+    lists.iter().copied().flatten()
 }
 
 /// The parameters as JSON fields.
 fn fields_of(world: &WorldParams) -> Map<String, Value> {
     match world {
         WorldParams::Geese(params) => params.fields(),
+        #[cfg(feature = "sequencing")]
+        WorldParams::Sequencing(params) => match serde_json::to_value(params) {
+            Ok(Value::Object(fields)) => fields,
+            _ => Map::new(),
+        },
     }
 }
 
@@ -75,6 +104,8 @@ fn fields_of(world: &WorldParams) -> Map<String, Value> {
 fn set(world: &mut WorldParams, name: &str, value: &Value) -> bool {
     match world {
         WorldParams::Geese(params) => params.set(name, value),
+        #[cfg(feature = "sequencing")]
+        WorldParams::Sequencing(params) => params.set(name, value),
     }
 }
 
@@ -82,6 +113,8 @@ fn set(world: &mut WorldParams, name: &str, value: &Value) -> bool {
 fn check(world: &WorldParams) -> Result<(), ScenarioError> {
     let checked = match world {
         WorldParams::Geese(params) => params.check().map(|_| ()),
+        #[cfg(feature = "sequencing")]
+        WorldParams::Sequencing(params) => params.check(),
     };
     checked.map_err(|(field, message)| ScenarioError { path: field.to_owned(), message })
 }
@@ -115,10 +148,15 @@ impl Scenario {
         let Value::Object(given) = value else {
             return fault("", format!("expected a scenario, an object with a field \"world\", found {}", shown(value)));
         };
-        let mut world = match given.get("world") {
-            Some(Value::String(name)) if name == "geese" => WorldParams::Geese(geese::Params::default()),
-            Some(other) => return fault("world", format!("expected one of \"geese\", found {}", shown(other))),
-            None => return fault("world", "expected one of \"geese\", found no such field"),
+        let expected = || {
+            let names: Vec<String> = WORLDS.iter().map(|name| format!("\"{name}\"")).collect();
+            format!("expected one of {}", names.join(", "))
+        };
+        let named = given.get("world");
+        let mut world = match (named.and_then(Value::as_str).and_then(default_of), named) {
+            (Some(world), _) => world,
+            (None, Some(other)) => return fault("world", format!("{}, found {}", expected(), shown(other))),
+            (None, None) => return fault("world", format!("{}, found no such field", expected())),
         };
         for (name, value) in given {
             if COMMON.contains(&name.as_str()) {
@@ -207,6 +245,8 @@ pub(super) fn apply(world: &WorldParams, event: &Event) -> Result<WorldParams, S
     // The grammar needs a restart, so it need not be compiled again: every seek applies all events before its tick.
     let checked = match &changed {
         WorldParams::Geese(params) => params.check_fit(),
+        #[cfg(feature = "sequencing")]
+        WorldParams::Sequencing(params) => params.check(),
     };
     match checked {
         Ok(()) => Ok(changed),
@@ -224,7 +264,10 @@ fn live_parameter(world: &WorldParams, key: &str) -> Result<&'static Parameter, 
             let names: Vec<String> = live().map(|parameter| format!("{}.{}", world.name(), parameter.name)).collect();
             match nearest(key, names.iter().map(String::as_str)) {
                 Some(near) => fault(key, format!("unknown parameter, did you mean \"{near}\"?")),
-                None => fault(key, format!("unknown parameter, expected one such as \"{}\"", names[0])),
+                None => match names.first() {
+                    Some(first) => fault(key, format!("unknown parameter, expected one such as \"{first}\"")),
+                    None => fault(key, "unknown parameter; nothing of this world can change during a run"),
+                },
             }
         }
     }

@@ -3,6 +3,8 @@
 use super::read::apply;
 use super::{Event, Scenario, ScenarioError, WorldParams};
 use crate::geese;
+#[cfg(feature = "sequencing")]
+use crate::sequencing;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -20,20 +22,27 @@ pub struct Run {
 #[derive(Clone, Debug)]
 enum World {
     Geese(Box<geese::World>),
+    #[cfg(feature = "sequencing")]
+    Sequencing(Box<sequencing::World>),
 }
 
 /// The state of a world at one tick, without what its scenario says.
 #[derive(Clone, Debug)]
 pub(super) enum State {
     Geese(Box<geese::State>),
+    #[cfg(feature = "sequencing")]
+    Sequencing(Box<sequencing::State>),
 }
 
 /// How a run stands; its fields are those of the world's own outcome.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Outcome {
     /// Of the foraging swarm.
     Geese(geese::Outcome),
+    /// Of a plan.
+    #[cfg(feature = "sequencing")]
+    Sequencing(Box<sequencing::Outcome>),
 }
 
 impl Run {
@@ -44,6 +53,10 @@ impl Run {
     pub fn new(scenario: Scenario) -> Result<Self, ScenarioError> {
         let world = match &scenario.world {
             WorldParams::Geese(params) => geese::World::new(params, scenario.seed).map(Box::new).map(World::Geese),
+            #[cfg(feature = "sequencing")]
+            WorldParams::Sequencing(params) => {
+                sequencing::World::new(params, scenario.seed).map(Box::new).map(World::Sequencing)
+            }
         };
         let world = world.map_err(|(field, message)| ScenarioError { path: field.to_owned(), message })?;
         Ok(Self { params: scenario.world.clone(), scenario, next_event: 0, world })
@@ -60,6 +73,8 @@ impl Run {
     pub fn geese(&self) -> Option<&geese::World> {
         match &self.world {
             World::Geese(world) => Some(world),
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(_) => None,
         }
     }
 
@@ -67,6 +82,18 @@ impl Run {
     pub fn geese_mut(&mut self) -> Option<&mut geese::World> {
         match &mut self.world {
             World::Geese(world) => Some(world),
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(_) => None,
+        }
+    }
+
+    /// The plan on its way, if that is what runs.
+    #[cfg(feature = "sequencing")]
+    #[must_use]
+    pub fn sequencing(&self) -> Option<&sequencing::World> {
+        match &self.world {
+            World::Geese(_) => None,
+            World::Sequencing(world) => Some(world),
         }
     }
 
@@ -75,6 +102,8 @@ impl Run {
     pub fn tick(&self) -> u32 {
         match &self.world {
             World::Geese(world) => world.state().tick(),
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(world) => world.state().tick(),
         }
     }
 
@@ -83,14 +112,18 @@ impl Run {
     pub fn outcome(&self) -> Outcome {
         match &self.world {
             World::Geese(world) => Outcome::Geese(world.outcome()),
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(world) => Outcome::Sequencing(Box::new(world.outcome())),
         }
     }
 
     /// Why the run ended, in words; `None` while it can go on.
     #[must_use]
     pub fn finished(&self) -> Option<&'static str> {
-        match self.outcome() {
-            Outcome::Geese(outcome) => outcome.finished.map(geese::Finished::text),
+        match &self.world {
+            World::Geese(world) => world.outcome().finished.map(geese::Finished::text),
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(world) => world.finished(),
         }
     }
 
@@ -99,6 +132,8 @@ impl Run {
     pub fn fingerprint(&self) -> u64 {
         match &self.world {
             World::Geese(world) => world.fingerprint(),
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(world) => world.fingerprint(),
         }
     }
 
@@ -110,6 +145,8 @@ impl Run {
                 let Scenario { title, seed, .. } = &self.scenario;
                 Some(geese::Population::of(world).write_with(title, *seed, self.tick()))
             }
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(_) => None,
         }
     }
 
@@ -122,6 +159,8 @@ impl Run {
             self.apply_events();
             match &mut self.world {
                 World::Geese(world) => world.step(),
+                #[cfg(feature = "sequencing")]
+                World::Sequencing(world) => world.step(),
             }
         }
         ticks
@@ -166,6 +205,9 @@ impl Run {
     fn tune(&mut self) {
         match (&mut self.world, &self.params) {
             (World::Geese(world), WorldParams::Geese(params)) => world.tune(params),
+            // Nothing of a plan can change while it is carried out, and a run's parameters are of its own world.
+            #[cfg(feature = "sequencing")]
+            (World::Sequencing(_), _) | (World::Geese(_), WorldParams::Sequencing(_)) => {}
         }
     }
 
@@ -173,6 +215,8 @@ impl Run {
     pub(super) fn state(&self) -> State {
         match &self.world {
             World::Geese(world) => State::Geese(Box::new(world.state().clone())),
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(world) => State::Sequencing(Box::new(world.state().clone())),
         }
     }
 
@@ -180,6 +224,11 @@ impl Run {
     pub(super) fn restore(&mut self, state: &State) {
         match (&mut self.world, state) {
             (World::Geese(world), State::Geese(state)) => world.restore(state),
+            #[cfg(feature = "sequencing")]
+            (World::Sequencing(world), State::Sequencing(state)) => world.restore(state),
+            // States come from this same run.
+            #[cfg(feature = "sequencing")]
+            (World::Sequencing(_), State::Geese(_)) | (World::Geese(_), State::Sequencing(_)) => {}
         }
         // Events at this very tick happen with the next step.
         let tick = self.tick();
@@ -199,6 +248,8 @@ impl State {
     pub(super) fn bytes(&self) -> usize {
         match self {
             Self::Geese(state) => state.bytes(),
+            #[cfg(feature = "sequencing")]
+            Self::Sequencing(state) => state.bytes(),
         }
     }
 }

@@ -73,6 +73,9 @@ impl Cell {
     pub fn robot_steps(&self) -> u64 {
         match &self.scenario.world {
             WorldParams::Geese(params) => u64::from(params.agents) * u64::from(params.steps),
+            // Of the plan's replay alone; how long the search before it takes, nobody knows.
+            #[cfg(feature = "sequencing")]
+            WorldParams::Sequencing(params) => u64::from(params.robots) * u64::from(self.scenario.world.steps()),
         }
     }
 }

@@ -153,7 +153,7 @@ impl Metric {
     fn is_settled(self, run: &Run, reached: &Reached) -> bool {
         match self {
             // Items that were delivered stay delivered; only an event could move the threshold.
-            Self::Success => run.scenario().events.is_empty() && outcome(run).success,
+            Self::Success => run.scenario().events.is_empty() && outcome(run).is_some_and(|outcome| outcome.success),
             Self::StepsTo50 => reached.half.is_some(),
             Self::StepsTo80 => reached.most.is_some(),
             Self::Share
@@ -176,7 +176,7 @@ impl Metric {
     }
 
     fn of(self, run: &Run, measure: &Measure, reached: &Reached) -> Option<f64> {
-        let outcome = outcome(run);
+        let outcome = outcome(run)?;
         Some(match self {
             Self::Share => outcome.share,
             Self::Delivered => f64::from(outcome.delivered),
@@ -210,15 +210,19 @@ pub(super) struct Reached {
 
 impl Reached {
     fn note(&mut self, run: &Run) {
-        let (share, tick) = (outcome(run).share, run.tick());
+        let (share, tick) = (outcome(run).map_or(0.0, |outcome| outcome.share), run.tick());
         self.half = self.half.or((share >= 0.5).then_some(tick));
         self.most = self.most.or((share >= 0.8).then_some(tick));
     }
 }
 
-fn outcome(run: &Run) -> crate::geese::Outcome {
-    let Outcome::Geese(outcome) = run.outcome();
-    outcome
+/// The outcome of the foraging swarm, the one world that is measured so far.
+fn outcome(run: &Run) -> Option<crate::geese::Outcome> {
+    match run.outcome() {
+        Outcome::Geese(outcome) => Some(outcome),
+        #[cfg(feature = "sequencing")]
+        Outcome::Sequencing(_) => None,
+    }
 }
 
 /// Makes up to `steps` steps of a run; returns whether it is over: it has ended, or nothing more can change `metrics`.

@@ -1,8 +1,10 @@
 //! The wasm face: each method converts and calls, nothing more.
 //!
-//! Configuration, queries and answers cross as JSON text, errors as `Error` with the core's message. There are three
-//! faces, each a wasm file of its own, so that the page loads the tree workbench and the studies only when they are opened.
+//! Configuration, queries and answers cross as JSON text, errors as `Error` with the core's message. There are four
+//! faces, each a wasm file of its own, so that the page loads all but the worlds only when they are opened.
 
+#[cfg(feature = "sequence")]
+mod sequence;
 #[cfg(feature = "studies")]
 mod studies;
 #[cfg(feature = "trees")]
@@ -33,13 +35,13 @@ pub fn schema() -> String {
     crate::scenario::schema().to_string()
 }
 
-#[cfg(any(feature = "worlds", feature = "trees", feature = "studies"))]
+#[cfg(any(feature = "worlds", feature = "trees", feature = "studies", feature = "sequence"))]
 fn error(error: &impl ToString) -> JsError {
     JsError::new(&error.to_string())
 }
 
 /// An answer as JSON; serialising our own types cannot fail.
-#[cfg(any(feature = "worlds", feature = "trees", feature = "studies"))]
+#[cfg(any(feature = "worlds", feature = "trees", feature = "studies", feature = "sequence"))]
 fn answer(value: Option<impl serde::Serialize>) -> String {
     value.and_then(|value| serde_json::to_string(&value).ok()).unwrap_or_else(|| "null".to_owned())
 }

@@ -21,8 +21,9 @@ const fn real(min: f64, max: f64, hard_max: f64, step: f64) -> Kind {
 }
 
 /// All parameters, in the order in which the page shows them.
-pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
-    world::PARAMETERS.iter().chain(evolution::PARAMETERS).chain(published::PARAMETERS)
+#[must_use]
+pub fn parameters() -> &'static [&'static [Parameter]] {
+    &[world::PARAMETERS, evolution::PARAMETERS, published::PARAMETERS]
 }
 
 /// The switches to the authors' published code: name and choices of each.

@@ -20,7 +20,7 @@ help:
 
 # The browser's address is printed last; the sources of the page are served, so an edit shows at once.
 play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json www/engine/swarm_playground_bg.wasm \
-  www/trees/engine/swarm_playground_bg.wasm www/studies/engine/swarm_playground_bg.wasm
+  www/trees/engine/swarm_playground_bg.wasm www/studies/engine/swarm_playground_bg.wasm www/schema.json
 	@node scripts/play.mjs
 
 test: check
@@ -34,13 +34,13 @@ bench: check engine
 	@node scripts/bench.mjs
 
 clean:
-	rm -rf dist www/engine www/trees/engine www/studies/engine
+	rm -rf dist www/engine www/trees/engine www/studies/engine www/schema.json
 	cargo clean
 
 # Steps of the above, by name for scripts/test.mjs.
 tools: .tools/bin/wasm-pack
 packages: node_modules/.package-lock.json
-engine: www/engine/.optimised www/trees/engine/.optimised www/studies/engine/.optimised
+engine: www/engine/.optimised www/trees/engine/.optimised www/studies/engine/.optimised www/schema.json
 
 check:
 	@sh scripts/check.sh $(MAKECMDGOALS)
@@ -100,6 +100,10 @@ www/studies/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-p
 	@echo 'Building the engine of the studies'
 	@rm -f www/studies/engine/.optimised
 	@$(call wasm_pack_build,studies,www/studies/engine,--no-opt)
+
+# The first engine has no room for what is said of parameters; another one writes it down.
+www/schema.json: www/studies/engine/swarm_playground_bg.wasm scripts/schema.mjs
+	@node scripts/schema.mjs
 
 www/studies/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
 	@echo 'Building the optimised engine of the studies'

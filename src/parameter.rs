@@ -24,6 +24,15 @@ pub struct Parameter {
     pub source: &'static str,
 }
 
+/// The text; nothing in a build without the feature `texts`.
+///
+/// The engine of the page's first load is such a build: the page gets what is said of parameters from a file that the
+/// build writes, and the wasm stays within its budget.
+#[must_use]
+pub const fn text(text: &'static str) -> &'static str {
+    if cfg!(feature = "texts") { text } else { "" }
+}
+
 /// When a change of a parameter takes effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]

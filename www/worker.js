@@ -1,7 +1,7 @@
 // Owns the engine and never runs by itself: it answers requests, one at a time, in order.
 // The handler is set before wasm is initialised, or the first request would be lost.
 
-import init, { World, complete, rules, schema, version } from './engine/swarm_playground.js';
+import init, { World, complete, rules, version } from './engine/swarm_playground.js';
 
 /** @typedef {{ id: number, type: string } & Record<string, any>} Request */
 
@@ -55,7 +55,12 @@ const REFUSES = new Set(['load', 'event', 'complete', 'inspect', 'export', 'deri
 
 /** @type {Record<string, (request: Request) => [object, Transferable[]?] | Promise<[object, Transferable[]?]>>} */
 const ANSWERS = {
-  hello: () => [{ type: 'hello', version: version(), schema: JSON.parse(schema()) }],
+  async hello() {
+    // What is said of parameters lies beside the engine, which has no room for it.
+    const response = await fetch(new URL('./schema.json', import.meta.url));
+    if (!response.ok) throw new Error(`the parameters could not be loaded: ${response.status} ${response.statusText}`);
+    return [{ type: 'hello', version: version(), schema: await response.json() }];
+  },
 
   load({ scenario, keyframes }) {
     const next = new World(scenario, keyframes); // when it throws, the last valid world stays

@@ -28,7 +28,7 @@ pub fn version() -> String {
 }
 
 /// Every parameter as JSON.
-#[cfg(any(feature = "worlds", feature = "studies"))]
+#[cfg(feature = "studies")]
 #[wasm_bindgen]
 #[must_use]
 pub fn schema() -> String {

@@ -8,9 +8,9 @@ use super::grammars::grammar_text;
 use super::params::{MutationMode, Params, Task};
 use super::program::Compiler;
 use crate::evolution::Limits;
-use crate::parameter::{Kind, Parameter, number};
+use crate::parameter::{Kind, Parameter, number, text};
 
-const TABLE_1: &str = "BeTr-GEESE, Table 1";
+const TABLE_1: &str = text("BeTr-GEESE, Table 1");
 
 const fn int(min: i64, max: i64, hard_max: i64) -> Kind {
     Kind::Int { min, max, hard_max, log: false }

@@ -10,11 +10,12 @@ import { cpus } from 'node:os';
 import { World, initSync as initWorlds } from '../www/engine/swarm_playground.js';
 import { initSync as initTrees, tick_headless } from '../www/trees/engine/swarm_playground.js';
 
+const PUBLISHED = 'scenarios/published.json';
 const FIXED = 'scenarios/hand-tree.json'; // every robot runs one tree of 16 nodes, nobody evolves
 const FIXED_STEPS = 20_000;
 const TREE = 'tests/cases/reactive_tree.json'; // 18 nodes
 const scenario = process.env.SCENARIO || 'scenarios/foraging.json';
-const steps = Number(process.env.STEPS || 6000);
+const steps = Number(process.env.STEPS || 12_000);
 const ticks = Number(process.env.TICKS || 2_000_000);
 const rounds = Number(process.env.ROUNDS || 5);
 for (const [name, value] of Object.entries({ STEPS: steps, TICKS: ticks, ROUNDS: rounds })) {
@@ -74,6 +75,7 @@ function measures() {
   const setup = readFileSync(TREE, 'utf8');
   const agentSteps = native('bench', scenario, '--steps', String(steps)).agent_steps;
   const fixed = readFileSync(FIXED, 'utf8');
+  const published = readFileSync(PUBLISHED, 'utf8');
   return [
     {
       title: `${scenario}, ${steps} steps`,
@@ -81,7 +83,16 @@ function measures() {
       amount: agentSteps,
       native: () => native('bench', scenario, '--steps', String(steps)),
       wasm: () => runWorld(json, steps),
-      least: 250_000,
+      least: 12_000 * 100 / 4, // a full run in 4 seconds
+      ratio: 0.7,
+    },
+    {
+      title: `${PUBLISHED}, ${steps} steps`,
+      unit: 'agent-steps',
+      amount: native('bench', PUBLISHED, '--steps', String(steps)).agent_steps,
+      native: () => native('bench', PUBLISHED, '--steps', String(steps)),
+      wasm: () => runWorld(published, steps),
+      least: 12_000 * 100 / 7, // a full run in 7 seconds
       ratio: 0.7,
     },
     {
@@ -145,9 +156,30 @@ function run({ title, unit, amount, native: runNative, wasm: runWasm, least, rat
   }
 }
 
+/** What an agent-step costs in a crowd of 10,000, as densely placed as 100, natively. */
+function crowds() {
+  const cost = (/** @type {number} */ agents) => {
+    const { seconds, agent_steps: amount } = native('bench', `tests/cases/crowd_${agents}.json`, '--steps', '300');
+    return seconds / amount;
+  };
+  console.log('\nCost of an agent-step with 10,000 robots over that with 100, of equal density');
+  const ratios = [];
+  for (let round = 1; round <= rounds; round++) ratios.push(cost(10_000) / cost(100));
+  const ratio = median(ratios);
+  console.log(`ratio        ${verdict(ratio <= 1.5)}: ${ratio.toFixed(2)} (${ratios.map((value) => value.toFixed(2)).join(', ')}), at most 1.5`);
+}
+
+/** How much memory the engine of the worlds took for all of its runs. @param {WebAssembly.Memory} memory */
+function ceiling(memory) {
+  const megabytes = memory.buffer.byteLength / 1e6;
+  console.log(`\nMemory of the engine of the worlds\nwasm         ${verdict(megabytes <= 64)}: ${megabytes.toFixed(1)} MB, at most 64`);
+}
+
 console.log('Building the command line (release)');
 execFileSync('cargo', ['build', '--release', '--quiet'], { stdio: 'inherit' });
-initWorlds({ module: readFileSync('www/engine/swarm_playground_bg.wasm') });
+const { memory } = initWorlds({ module: readFileSync('www/engine/swarm_playground_bg.wasm') });
 initTrees({ module: readFileSync('www/trees/engine/swarm_playground_bg.wasm') });
 console.log(`${cpus()[0].model}, Node ${process.versions.node}, ${rounds} rounds`);
 for (const measure of measures()) run(measure);
+crowds();
+ceiling(memory);

@@ -481,9 +481,10 @@ fn every_choice_of_the_schema_is_written_as_it_was_read() {
     let mut checked = 0;
     for entry in schema.as_array().expect("a list").iter().filter(|entry| entry["type"] == "choice") {
         let key = entry["key"].as_str().expect("a key");
+        let Some(name) = key.strip_prefix("geese.") else { continue };
         for choice in entry["choices"].as_array().expect("a list") {
             let changed = default.with(key, &choice["value"]).expect("every choice is allowed").to_value();
-            assert_eq!(changed[key.trim_start_matches("geese.")], choice["value"], "{key}");
+            assert_eq!(changed[name], choice["value"], "{key}");
             checked += 1;
         }
     }

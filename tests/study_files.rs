@@ -3,7 +3,7 @@
 
 use std::fs;
 use std::path::Path;
-use swarm_playground::study::{Results, Size, Study, figure, report};
+use swarm_playground::study::{Claims, Results, Size, Study, figure, report};
 
 fn texts(folder: &str) -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
@@ -66,6 +66,16 @@ fn glance_of_figure_2b() {
 }
 
 #[test]
+fn glance_of_fixed_programs() {
+    glance("fixed-programs");
+}
+
+#[test]
+fn glance_of_multiplexed() {
+    glance("multiplexed");
+}
+
+#[test]
 fn glance_of_mutation() {
     glance("mutation");
 }
@@ -73,6 +83,11 @@ fn glance_of_mutation() {
 #[test]
 fn glance_of_random_programs() {
     glance("random-programs");
+}
+
+#[test]
+fn glance_of_robust_switches() {
+    glance("robust-switches");
 }
 
 #[test]
@@ -90,5 +105,15 @@ fn no_study_is_left_out() {
     let source = include_str!("study_files.rs");
     for (name, _) in texts("studies") {
         assert!(source.contains(&format!("glance(\"{name}\")")), "studies/{name}.json has no test here");
+    }
+}
+
+#[test]
+fn the_claims_name_studies_cells_and_metrics_that_exist() {
+    for (name, text) in texts("studies/claims") {
+        let claims = Claims::read(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let results = claims.studies().into_iter().map(|study| (study.to_owned(), Results::new(read(study))));
+        let document = claims.document(&results.collect()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(document.contains("## At a glance") && document.contains("| open |"), "{document}");
     }
 }

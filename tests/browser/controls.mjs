@@ -85,7 +85,7 @@ export const cases = [
         assert.equal(await control.count(), 1, key);
         assert.ok(help && label, key);
         await control.locator('.about').click();
-        assert.ok(((await control.locator('.help').textContent()) ?? '').includes(help), key);
+        assert.ok(((await control.locator('.help[id]').textContent()) ?? '').includes(help), key);
         assert.notEqual(await control.locator('.source').textContent(), '', key);
       }
     },

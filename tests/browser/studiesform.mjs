@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { packed } from './bench.mjs';
 import { SPEC, linkTo, openStudy } from './studies.mjs';
@@ -17,7 +17,8 @@ export const cases = [
       const study = await openStudy(open, '#/studies');
       const { page } = study;
       await page.locator('.study-row').first().waitFor();
-      assert.equal(await page.locator('.study-row').count(), 8);
+      const files = readdirSync('studies').filter((name) => name.endsWith('.json'));
+      assert.equal(await page.locator('.study-row').count(), files.length);
       const agents = page.locator('.study-row[data-study=agents]');
       assert.deepEqual(await agents.locator('.study-sizes li').allTextContents(), ['Glance, agents10 runs', 'Class, agents20 runs', 'Paper, agents160 runs']);
       await agents.getByRole('link', { name: 'Glance' }).click();
@@ -186,14 +187,14 @@ export const cases = [
     async (open) => {
       const study = await openStudy(open, '#/studies/success?size=paper', { acceptDownloads: true });
       const { page } = study;
-      await page.locator('.studies-large').filter({ hasText: 'too large for a page: 512 runs' }).waitFor();
+      await page.locator('.studies-large').filter({ hasText: 'too large for a page: 768 runs' }).waitFor();
       assert.equal(await page.locator('.command').textContent(), 'cargo run --release -- study studies/success.json --out success.csv');
       await page.locator('.studies-source').filter({ hasText: 'made by the command line and are part of the project: results/success.csv' }).waitFor();
       await page.locator('.studies-extent').filter({ hasText: '16 of 16 seeds from 1 in each cell.' }).waitFor();
       assert.doesNotMatch((await page.locator('.studies-source').textContent()) ?? '', /another state/);
       assert.match((await page.locator('[data-section=paper]').textContent()) ?? '', /BeTr-GEESE, foraging, robust.*not reproduced/);
       assert.equal(await study.csv(), readFileSync(fileURLToPath(new URL('../../results/success.csv', import.meta.url)), 'utf8'));
-      await page.getByRole('button', { name: 'Made here: 0 of 512' }).click();
+      await page.getByRole('button', { name: 'Made here: 0 of 768' }).click();
       await page.locator('.studies-extent').filter({ hasText: 'No run has been made yet' }).waitFor();
       assert.ok(await page.locator('.studies-source').isHidden());
       assert.deepEqual(study.problems, []);

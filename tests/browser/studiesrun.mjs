@@ -133,7 +133,7 @@ export const cases = [
   [
     'results_live_with_partial_extent_verdict_and_tests',
     async (open) => {
-      const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 1500 } }));
+      const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 6000 } }));
       const { page, run } = study;
       await run.click();
       await page.locator('.studies-extent').filter({ hasText: /^\d (to \d )?of 5 seeds from 5 in each cell, not complete\.$/ }).waitFor();

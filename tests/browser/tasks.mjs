@@ -51,4 +51,15 @@ export const cases = [
       assert.match((await list.textContent()) ?? '', /III Prospective[01]IV Task\d+V Feedback B-?\d+ \(does not count\)/);
     },
   ],
+  [
+    'what_is_said_first_is_true_of_programs_that_do_not_evolve',
+    async (open) => {
+      const { page, seek, until, problems } = await open('#/forage?preset=hand-tree');
+      await seek(100);
+      assert.match((await page.locator('.lede').textContent()) ?? '', /^These behaviours were written by hand/);
+      await page.locator('#preset').selectOption('foraging');
+      await until(() => /^Nobody wrote these behaviours/.test(document.querySelector('.lede')?.textContent ?? ''));
+      assert.deepEqual(problems, []);
+    },
+  ],
 ];

@@ -21,6 +21,9 @@ export const text = {
 
   world: {
     region: 'World',
+    evolving: 'Nobody wrote these behaviours: the robots evolve them while they work. Click a robot.',
+    byHand: 'These behaviours were written by hand, and nothing evolves: a baseline. Click a robot.',
+    fixed: 'These programs stay as they are: nothing evolves here. Click a robot.',
     label: 'The arena. Arrow keys choose the nearest robot in that direction, Home and End the first and the last.',
     place: (/** @type {string} */ kind) => kind.charAt(0).toUpperCase() + kind.slice(1),
     sink: (/** @type {string} */ kind, /** @type {number} */ delivered, /** @type {number} */ total) => `${text.world.place(kind)} ${delivered} / ${total}`,

@@ -51,6 +51,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn, rin
   const lede = pane.querySelector('.lede') ?? '';
   const head = h('div', { class: 'world-head' }, lede, tag, zoomBar);
   pane.append(...(beside ? [stage] : [head, stage]));
+  if (lede) run.on('loaded', () => (lede.textContent = sentence(run.scenario)));
 
   /** @type {View | null} */
   let ready = null;
@@ -210,3 +211,9 @@ export function createWorldView({ pane, run, state, selection, theme, drawn, rin
 }
 
 /** @typedef {ReturnType<typeof createWorldView>} WorldView */
+
+/** What is to be said first, and is true of this scenario. @param {Record<string, unknown>} scenario */
+function sentence({ evolution, grammar }) {
+  if (evolution !== false) return text.world.evolving;
+  return String(grammar).startsWith('hand-') ? text.world.byHand : text.world.fixed;
+}

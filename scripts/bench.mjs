@@ -1,6 +1,7 @@
 // `make bench`: how fast the engine is natively and in WebAssembly (under Node), measured in turns so that a busy
-// machine slows both: agent-steps per second of a scenario, and ticks per second of a tree. Prints the medians, their
-// ratio and the project's targets; status 1 only when the two did not compute the same thing.
+// machine slows both: agent-steps per second of three scenarios, and ticks per second of a tree. Prints the medians, their
+// ratio and the project's targets; then what a crowd costs, and the memory of the engine in WebAssembly. Status 1 only
+// when the two did not compute the same thing.
 //
 // SCENARIO (a file), STEPS, TICKS and ROUNDS may be set as environment variables.
 

@@ -81,6 +81,18 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// A whole number on a linear slider.
+    #[must_use]
+    pub const fn int(min: i64, max: i64, hard_max: i64) -> Self {
+        Self::Int { min, max, hard_max, log: false }
+    }
+
+    /// A real number on a linear slider.
+    #[must_use]
+    pub const fn real(min: f64, max: f64, hard_max: f64, step: f64) -> Self {
+        Self::Float { min, max, hard_max, step, log: false }
+    }
+
     /// Returns the value in the form its field takes (whole numbers without a fraction).
     ///
     /// # Errors

@@ -207,3 +207,17 @@ fn a_file_says_where_it_comes_from_and_is_read_like_one_that_does_not() {
     assert_eq!((&value["title"], &value["seed"], &value["tick"]), (&json!("A \"title\""), &json!(42), &json!(60)));
     assert!(Population::read(&text) == Ok(population), "the same members");
 }
+
+#[test]
+fn what_the_end_of_learning_cannot_do_is_refused_at_the_start() {
+    let refused = world(|params| {
+        params.grammar = "machine".to_owned();
+        params.learning_steps = 10;
+        params.population_form = PopulationForm::Blended;
+    });
+    let (field, message) = refused.expect_err("machines cannot be blended");
+    assert_eq!(
+        (field, message.as_str()),
+        ("population-form", "expected another form: only behaviour trees can be blended, found state machines")
+    );
+}

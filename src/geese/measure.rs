@@ -14,7 +14,7 @@ pub struct Measure {
     pub alive: u32,
     /// Distinct programs that the robots ran last.
     pub programs: u32,
-    /// Programs replaced since the start, over robots and steps; 0 before the first step.
+    /// Programs replaced since the start, or since the learning ended, over robots and steps; 0 before the first step.
     pub swaps_per_agent_step: f64,
     /// Action leaves, or reachable states of a machine, mean over the distinct programs.
     pub actions: f64,
@@ -53,7 +53,9 @@ impl Measure {
             }
             inert += if idle { group.len() } else { 0 };
         }
-        let agent_steps = agents * f64::from(state.tick);
+        // A fixed population counts from its start.
+        let before = if world.awaits_test() { 0 } else { world.params().learning_steps.min(state.tick) };
+        let agent_steps = agents * f64::from(state.tick - before);
         let swaps: f64 = state.minds.iter().map(|mind| f64::from(mind.swaps)).sum();
         Self {
             carrying: state.field.carried(),

@@ -12,6 +12,7 @@
 mod body;
 mod breeding;
 mod brood;
+mod choices;
 mod controller;
 mod derive;
 mod export;
@@ -27,6 +28,7 @@ mod machine;
 mod measure;
 mod mind;
 mod near;
+mod outcome;
 mod params;
 mod population;
 mod profiles;
@@ -50,6 +52,7 @@ pub use language::LanguageError;
 pub use leaf::{Leaf, Manner, Name, Object, Tag, Takes};
 pub use machine::{Machine, Rule, Setting};
 pub use measure::{Measure, is_inert};
+pub use outcome::{Finished, Outcome, Sample};
 pub use params::{
     Activation, Behaviours, CrossoverMode, DropRule, ExploreHeading, GenomeSelection, IsDropable, ItemPlacement,
     MovesPerStep, MutationMode, Params, ParentSelection, PopulationForm, StartPositions, StorageContent, SwapRule,
@@ -63,4 +66,4 @@ pub use switches::{
     FitnessRule, Footprint, Init, InitialMemory, LengthRule, MoveAwayPostcondition, Neighbours, NestSink, PerceptWipe,
     PopulationPool, Rounding, Sensing, SitePlacement, StepRule, StorageValue,
 };
-pub use world::{Finished, Outcome, SAMPLE_EVERY, Sample, State, World};
+pub use world::{SAMPLE_EVERY, State, World};

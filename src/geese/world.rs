@@ -7,9 +7,10 @@ use super::field::Field;
 use super::grid::Area;
 use super::mind::{Feedback, Mind, Program, Storage};
 use super::near::Near;
-use super::params::{Activation, Params, StorageContent, SwapRule, Task};
+use super::outcome::{Finished, Outcome, Sample};
+use super::params::{Activation, Params, PopulationForm, StorageContent, SwapRule, Task};
 use super::population::{Deal, Dealt, Known, Population};
-use super::program::Compiler;
+use super::program::{Compiler, Sentences};
 use super::switches::{ExplorationRule, FitnessRule, Neighbours, Sensing, StorageValue};
 use super::visited::Visited;
 use crate::bt::{Status, tick_once};
@@ -17,7 +18,6 @@ use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, chance, stream};
 use rand::RngExt;
-use serde::Serialize;
 use std::sync::Arc;
 
 /// Steps between two samples of the history.
@@ -55,64 +55,6 @@ pub struct State {
     history: Vec<Sample>,
 }
 
-/// The state of the task at one of the steps that are kept for charts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Sample {
-    /// Items delivered.
-    pub delivered: u32,
-    /// Items carried.
-    pub carrying: u32,
-    /// Distinct programs ticked in the step.
-    pub programs: u32,
-    /// Programs replaced since the sample before.
-    pub swaps: u32,
-}
-
-/// How a run stands, as results and the page show it.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Outcome {
-    /// Items delivered.
-    pub delivered: u32,
-    /// All items.
-    pub items: u32,
-    /// Delivered over all.
-    pub share: f64,
-    /// Whether the share is above the success threshold.
-    pub success: bool,
-    /// Why the run ended; `None` while it can go on.
-    pub finished: Option<Finished>,
-}
-
-/// Why a run ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum Finished {
-    /// All steps were made.
-    #[serde(rename = "tick limit")]
-    TickLimit,
-    /// Nothing is left to do.
-    #[serde(rename = "all food delivered")]
-    AllDelivered,
-    /// No debris is left inside the boundary.
-    #[serde(rename = "all debris removed")]
-    AllRemoved,
-    /// Every agent has touched a trap.
-    #[serde(rename = "all robots dead")]
-    AllDead,
-}
-
-impl Finished {
-    /// The reason in words, as results and the page show it.
-    #[must_use]
-    pub fn text(self) -> &'static str {
-        match self {
-            Self::TickLimit => "tick limit",
-            Self::AllDelivered => "all food delivered",
-            Self::AllRemoved => "all debris removed",
-            Self::AllDead => "all robots dead",
-        }
-    }
-}
-
 impl World {
     /// Places everything and gives every agent a random program.
     ///
@@ -122,6 +64,16 @@ impl World {
     pub fn new(params: &Params, seed: Seed) -> Result<Self, (&'static str, String)> {
         let mut breeder = Breeder::new(params.check()?, params);
         let field = Field::new(params, seed)?;
+        if params.learning_steps > 0 {
+            // What the end of learning needs is tried now, when it can still be refused.
+            Field::new(params, seed.of_restart(Purpose::Settlement))?;
+            if params.population_form == PopulationForm::Blended
+                && matches!(breeder.compiler.sentences(), Sentences::Machines(_))
+            {
+                let message = "expected another form: only behaviour trees can be blended, found state machines";
+                return Err(("population-form", message.to_owned()));
+            }
+        }
         let agents = 0..params.agents;
         let (mut dealt, mut turns) = (Vec::new(), Vec::new());
         if !params.population.trim().is_empty() {
@@ -133,10 +85,7 @@ impl World {
         let mut dealt = dealt.into_iter();
         let minds = agents
             .map(|id| {
-                let genesis = stream(seed, Purpose::Genesis, id);
-                let evolution = stream(seed, Purpose::Evolution, id);
-                let luck = stream(seed, Purpose::Luck, id);
-                new_mind(&mut breeder, params, genesis, [evolution, luck], dealt.next()).ok_or_else(|| {
+                new_mind(&mut breeder, params, seed, id, dealt.next()).ok_or_else(|| {
                     let message = "expected a grammar of which random genomes give programs, \
                                    found one that gave none in 100,000 draws (try a greater max-depth)";
                     ("grammar", message.to_owned())
@@ -189,13 +138,18 @@ impl World {
         self.state.clone_from(state);
     }
 
+    /// Whether the swarm still learns what will be tested later: nothing that it delivers now counts.
+    #[must_use]
+    pub fn awaits_test(&self) -> bool {
+        self.params.learning_steps > 0 && self.state.learning
+    }
+
     /// How the run stands.
     #[must_use]
     pub fn outcome(&self) -> Outcome {
         let (delivered, items) = (self.state.field.delivered(), self.params.item_count());
         let share = f64::from(delivered) / f64::from(items);
-        let is_test = self.params.learning_steps == 0 || !self.state.learning;
-        let finished = if delivered + self.state.field.lost() == items && is_test {
+        let finished = if delivered + self.state.field.lost() == items && !self.awaits_test() {
             Some(match self.params.task {
                 Task::Forage => Finished::AllDelivered,
                 Task::Nest => Finished::AllRemoved,
@@ -216,7 +170,7 @@ impl World {
         if self.outcome().finished.is_some() {
             return;
         }
-        if self.state.learning && self.params.learning_steps > 0 && self.state.tick >= self.params.learning_steps {
+        if self.awaits_test() && self.state.tick >= self.params.learning_steps {
             self.settle();
         }
         let Self { params, breeder, near, state, .. } = self;
@@ -264,16 +218,14 @@ impl World {
         let (Ok(field), Ok(Deal { agents: dealt, turns })) =
             (Field::new(params, seed), population.deal(params, seed, &mut breeder.compiler))
         else {
-            debug_assert!(false, "the world could be built once, and its own genomes are valid");
+            debug_assert!(false, "both were tried when the world was built, and its own genomes are valid");
             return;
         };
         state.turns = turns.into();
         (state.bodies, state.alive) = (bodies(params, &field, seed), params.agents);
         state.field = field;
         for (id, dealt) in (0..).zip(dealt) {
-            let [genesis, evolution, luck] =
-                [Purpose::Genesis, Purpose::Evolution, Purpose::Luck].map(|purpose| stream(seed, purpose, id));
-            if let Some(mind) = new_mind(breeder, params, genesis, [evolution, luck], Some(dealt)) {
+            if let Some(mind) = new_mind(breeder, params, seed, id, Some(dealt)) {
                 state.minds[id as usize] = Mind { since: state.tick, ..mind };
             }
         }
@@ -302,13 +254,9 @@ fn bodies(params: &Params, field: &Field, seed: Seed) -> Vec<Body> {
 }
 
 /// A mind with a random program, or with one of a saved population.
-fn new_mind(
-    breeder: &mut Breeder,
-    params: &Params,
-    mut genesis: Stream,
-    [evolution, luck]: [Stream; 2],
-    dealt: Option<Dealt>,
-) -> Option<Mind> {
+fn new_mind(breeder: &mut Breeder, params: &Params, seed: Seed, id: u32, dealt: Option<Dealt>) -> Option<Mind> {
+    let [mut genesis, evolution, luck] =
+        [Purpose::Genesis, Purpose::Evolution, Purpose::Luck].map(|purpose| stream(seed, purpose, id));
     let mut genome = Genome::default();
     let mut program = Program::default();
     let survey = if let Some(dealt) = dealt {

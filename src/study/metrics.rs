@@ -230,8 +230,11 @@ fn outcome(run: &Run) -> Option<crate::geese::Outcome> {
 /// - `reached`: what was noted of the run so far; at its start, the default.
 pub(super) fn advance(run: &mut Run, metrics: &[Metric], reached: &mut Reached, steps: u32) -> bool {
     for _ in 0..steps {
-        reached.note(run);
-        let is_settled = metrics.iter().all(|metric| metric.is_settled(run, reached));
+        let counts = !run.geese().is_some_and(crate::geese::World::awaits_test);
+        if counts {
+            reached.note(run);
+        }
+        let is_settled = counts && metrics.iter().all(|metric| metric.is_settled(run, reached));
         if is_settled || run.advance(1) == 0 {
             return true;
         }

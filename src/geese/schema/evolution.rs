@@ -1,6 +1,6 @@
 //! The parameters of evolution, of saved populations and of genomes, in the order in which the page shows them.
 
-use super::{TABLE_1, int, real};
+use super::TABLE_1;
 use crate::parameter::{Apply, Kind, Parameter, text};
 
 pub const EVOLUTION: &str = text("Evolution");
@@ -10,7 +10,7 @@ pub const GENOME: &str = text("Genome and grammar");
 pub const PARAMETERS: &[Parameter] = &[
     Parameter {
         name: "interaction-probability",
-        kind: real(0.0, 1.0, 1.0, 0.01),
+        kind: Kind::real(0.0, 1.0, 1.0, 0.01),
         unit: "",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -20,7 +20,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "storage-threshold",
-        kind: int(0, 50, 1000),
+        kind: Kind::int(0, 50, 1000),
         unit: "genomes",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -54,7 +54,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "parent-share",
-        kind: real(0.05, 1.0, 1.0, 0.05),
+        kind: Kind::real(0.05, 1.0, 1.0, 0.05),
         unit: "",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -64,7 +64,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "tournament-size",
-        kind: int(1, 10, 100),
+        kind: Kind::int(1, 10, 100),
         unit: "genomes",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -74,7 +74,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "elite-size",
-        kind: int(0, 10, 1000),
+        kind: Kind::int(0, 10, 1000),
         unit: "genomes",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -84,7 +84,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "children",
-        kind: int(1, 100, 1000),
+        kind: Kind::int(1, 100, 1000),
         unit: "genomes",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -124,7 +124,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "crossover-probability",
-        kind: real(0.0, 1.0, 1.0, 0.01),
+        kind: Kind::real(0.0, 1.0, 1.0, 0.01),
         unit: "",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -218,7 +218,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "fitness-memory",
-        kind: real(0.0, 1.0, 1.0, 0.01),
+        kind: Kind::real(0.0, 1.0, 1.0, 0.01),
         unit: "",
         apply: Apply::Live,
         group: EVOLUTION,
@@ -238,7 +238,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "learning-steps",
-        kind: int(0, 12_000, 1_000_000),
+        kind: Kind::int(0, 12_000, 1_000_000),
         unit: "steps",
         apply: Apply::Restart,
         group: POPULATION,
@@ -266,7 +266,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "population-share",
-        kind: real(0.01, 1.0, 1.0, 0.01),
+        kind: Kind::real(0.01, 1.0, 1.0, 0.01),
         unit: "",
         apply: Apply::Restart,
         group: POPULATION,
@@ -276,7 +276,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "dwell",
-        kind: real(1.0, 100.0, 1_000_000.0, 1.0),
+        kind: Kind::real(1.0, 100.0, 1_000_000.0, 1.0),
         unit: "steps",
         apply: Apply::Restart,
         group: POPULATION,
@@ -296,7 +296,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "genome-length",
-        kind: int(1, 200, 1000),
+        kind: Kind::int(1, 200, 1000),
         unit: "codons",
         apply: Apply::Restart,
         group: GENOME,
@@ -306,7 +306,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "codon-max",
-        kind: int(1, 2000, 65_535),
+        kind: Kind::int(1, 2000, 65_535),
         unit: "",
         apply: Apply::Restart,
         group: GENOME,
@@ -316,7 +316,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "max-depth",
-        kind: int(2, 20, 60),
+        kind: Kind::int(2, 20, 60),
         unit: "levels",
         apply: Apply::Restart,
         group: GENOME,
@@ -326,7 +326,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "max-wraps",
-        kind: int(0, 5, 100),
+        kind: Kind::int(0, 5, 100),
         unit: "times",
         apply: Apply::Restart,
         group: GENOME,

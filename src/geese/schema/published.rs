@@ -2,7 +2,6 @@
 //! The first choice of each is the paper's.
 
 use super::evolution::{EVOLUTION, GENOME, POPULATION};
-use super::int;
 use super::world::{ROBOTS, WORLD};
 use crate::parameter::{Apply, Kind, Parameter, text};
 
@@ -143,7 +142,7 @@ pub const PARAMETERS: &[Parameter] = &[
     ),
     Parameter {
         name: "stagnation",
-        kind: int(0, 500, 1_000_000),
+        kind: Kind::int(0, 500, 1_000_000),
         unit: "steps",
         apply: Apply::Live,
         group: EVOLUTION,

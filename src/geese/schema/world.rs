@@ -1,7 +1,7 @@
 //! The parameters of the world and of what robots can do, in the order in which the page shows them.
 
 use super::super::body::MOST_PLACES;
-use super::{TABLE_1, int, real};
+use super::TABLE_1;
 use crate::parameter::{Apply, Kind, Parameter, text};
 
 pub const WORLD: &str = text("World");
@@ -20,7 +20,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "agents",
-        kind: int(1, 400, 10_000),
+        kind: Kind::int(1, 400, 10_000),
         unit: "robots",
         apply: Apply::Restart,
         group: WORLD,
@@ -30,7 +30,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "items",
-        kind: int(0, 400, 10_000),
+        kind: Kind::int(0, 400, 10_000),
         unit: "items",
         apply: Apply::Restart,
         group: WORLD,
@@ -50,7 +50,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "success-threshold",
-        kind: real(0.0, 1.0, 1.0, 0.01),
+        kind: Kind::real(0.0, 1.0, 1.0, 0.01),
         unit: "",
         apply: Apply::Live,
         group: WORLD,
@@ -70,7 +70,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "sites",
-        kind: int(1, 4, MOST_PLACES),
+        kind: Kind::int(1, 4, MOST_PLACES),
         unit: "sites",
         apply: Apply::Restart,
         group: WORLD,
@@ -80,7 +80,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "site-distance",
-        kind: real(0.0, 40.0, 1000.0, 1.0),
+        kind: Kind::real(0.0, 40.0, 1000.0, 1.0),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -90,7 +90,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "hub-radius",
-        kind: real(1.0, 25.0, 1000.0, 0.5),
+        kind: Kind::real(1.0, 25.0, 1000.0, 0.5),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -100,7 +100,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "site-radius",
-        kind: real(1.0, 25.0, 1000.0, 0.5),
+        kind: Kind::real(1.0, 25.0, 1000.0, 0.5),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -110,7 +110,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "boundary-radius",
-        kind: real(5.0, 45.0, 1000.0, 1.0),
+        kind: Kind::real(5.0, 45.0, 1000.0, 1.0),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -120,7 +120,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "obstacles",
-        kind: int(0, 5, MOST_PLACES),
+        kind: Kind::int(0, 5, MOST_PLACES),
         unit: "obstacles",
         apply: Apply::Restart,
         group: WORLD,
@@ -130,7 +130,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "obstacle-radius",
-        kind: real(0.5, 10.0, 50.0, 0.5),
+        kind: Kind::real(0.5, 10.0, 50.0, 0.5),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -140,7 +140,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "traps",
-        kind: int(0, 5, MOST_PLACES),
+        kind: Kind::int(0, 5, MOST_PLACES),
         unit: "traps",
         apply: Apply::Restart,
         group: WORLD,
@@ -150,7 +150,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "trap-radius",
-        kind: real(0.5, 10.0, 50.0, 0.5),
+        kind: Kind::real(0.5, 10.0, 50.0, 0.5),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -160,7 +160,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "arena-size",
-        kind: int(20, 200, 2000),
+        kind: Kind::int(20, 200, 2000),
         unit: "units",
         apply: Apply::Restart,
         group: WORLD,
@@ -205,7 +205,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "step-length",
-        kind: real(0.1, 5.0, 20.0, 0.1),
+        kind: Kind::real(0.1, 5.0, 20.0, 0.1),
         unit: "units",
         apply: Apply::Live,
         group: ROBOTS,
@@ -225,7 +225,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "look-ahead",
-        kind: real(0.0, 10.0, 50.0, 0.5),
+        kind: Kind::real(0.0, 10.0, 50.0, 0.5),
         unit: "units",
         apply: Apply::Live,
         group: ROBOTS,
@@ -235,7 +235,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "sense-radius",
-        kind: real(0.5, 15.0, 200.0, 0.5),
+        kind: Kind::real(0.5, 15.0, 200.0, 0.5),
         unit: "units",
         apply: Apply::Live,
         group: ROBOTS,
@@ -255,7 +255,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "turn-deviation",
-        kind: real(0.0, 1.5, 3.2, 0.01),
+        kind: Kind::real(0.0, 1.5, 3.2, 0.01),
         unit: "radians",
         apply: Apply::Live,
         group: ROBOTS,

@@ -1,6 +1,5 @@
 //! The parameters of library, search, costs and robustness, in the order in which the page shows them.
 
-use super::{int, real};
 use crate::parameter::{Apply, Kind, Parameter};
 
 const BEHAVIOURS: &str = "Behaviours";
@@ -57,7 +56,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "weight",
-        kind: real(1.0, 10.0, 1000.0, 0.05),
+        kind: Kind::real(1.0, 10.0, 1000.0, 0.05),
         unit: "",
         apply: Apply::Restart,
         group: SEARCH,
@@ -67,7 +66,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "anchor-weight",
-        kind: real(1.0, 5.0, 100.0, 0.05),
+        kind: Kind::real(1.0, 5.0, 100.0, 0.05),
         unit: "",
         apply: Apply::Restart,
         group: SEARCH,
@@ -77,7 +76,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "second-weight",
-        kind: real(1.0, 5.0, 100.0, 0.05),
+        kind: Kind::real(1.0, 5.0, 100.0, 0.05),
         unit: "",
         apply: Apply::Restart,
         group: SEARCH,
@@ -87,7 +86,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "rounding",
-        kind: real(0.01, 10.0, 100.0, 0.1),
+        kind: Kind::real(0.01, 10.0, 100.0, 0.1),
         unit: "m",
         apply: Apply::Restart,
         group: SEARCH,
@@ -117,7 +116,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "batch",
-        kind: int(1, 16, 64),
+        kind: Kind::int(1, 16, 64),
         unit: "",
         apply: Apply::Restart,
         group: SEARCH,
@@ -147,7 +146,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "time-cost",
-        kind: real(0.0, 5.0, 1000.0, 0.1),
+        kind: Kind::real(0.0, 5.0, 1000.0, 0.1),
         unit: "m/s",
         apply: Apply::Restart,
         group: COSTS,
@@ -173,7 +172,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "switch-cost",
-        kind: real(0.0, 50.0, 10000.0, 1.0),
+        kind: Kind::real(0.0, 50.0, 10000.0, 1.0),
         unit: "m",
         apply: Apply::Restart,
         group: COSTS,
@@ -183,7 +182,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "into-stop",
-        kind: real(0.0, 50.0, 10000.0, 1.0),
+        kind: Kind::real(0.0, 50.0, 10000.0, 1.0),
         unit: "m",
         apply: Apply::Restart,
         group: COSTS,
@@ -193,7 +192,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "out-of-stop",
-        kind: real(0.0, 50.0, 10000.0, 1.0),
+        kind: Kind::real(0.0, 50.0, 10000.0, 1.0),
         unit: "m",
         apply: Apply::Restart,
         group: COSTS,
@@ -213,7 +212,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "obstacle-margin",
-        kind: real(0.0, 5.0, 100.0, 0.1),
+        kind: Kind::real(0.0, 5.0, 100.0, 0.1),
         unit: "m",
         apply: Apply::Restart,
         group: ROBUSTNESS,
@@ -223,7 +222,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "target-margin",
-        kind: real(0.0, 5.0, 100.0, 0.1),
+        kind: Kind::real(0.0, 5.0, 100.0, 0.1),
         unit: "m",
         apply: Apply::Restart,
         group: ROBUSTNESS,
@@ -233,7 +232,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "coverage-margin",
-        kind: real(0.0, 0.2, 10.0, 0.01),
+        kind: Kind::real(0.0, 0.2, 10.0, 0.01),
         unit: "",
         apply: Apply::Restart,
         group: ROBUSTNESS,
@@ -243,7 +242,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "jitter",
-        kind: real(0.0, 1.0, 100.0, 0.001),
+        kind: Kind::real(0.0, 1.0, 100.0, 0.001),
         unit: "m",
         apply: Apply::Restart,
         group: ROBUSTNESS,
@@ -253,7 +252,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "jitter-runs",
-        kind: int(0, 100, 10000),
+        kind: Kind::int(0, 100, 10000),
         unit: "replays",
         apply: Apply::Restart,
         group: ROBUSTNESS,

@@ -1,6 +1,5 @@
 //! The parameters of task and map, in the order in which the page shows them.
 
-use super::{int, real};
 use crate::parameter::{Apply, Kind, Parameter};
 
 const TASK: &str = "Task";
@@ -19,7 +18,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "robots",
-        kind: int(1, 40, 200),
+        kind: Kind::int(1, 40, 200),
         unit: "robots",
         apply: Apply::Restart,
         group: TASK,
@@ -29,7 +28,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "decisions",
-        kind: int(1, 20, 60),
+        kind: Kind::int(1, 20, 60),
         unit: "decisions",
         apply: Apply::Restart,
         group: TASK,
@@ -39,7 +38,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "interval",
-        kind: int(1, 30, 120),
+        kind: Kind::int(1, 30, 120),
         unit: "s",
         apply: Apply::Restart,
         group: TASK,
@@ -49,7 +48,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "target-x",
-        kind: real(-1000.0, 100.0, 1000.0, 0.5),
+        kind: Kind::real(-1000.0, 100.0, 1000.0, 0.5),
         unit: "m",
         apply: Apply::Restart,
         group: TASK,
@@ -59,7 +58,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "target-y",
-        kind: real(-1000.0, 100.0, 1000.0, 0.5),
+        kind: Kind::real(-1000.0, 100.0, 1000.0, 0.5),
         unit: "m",
         apply: Apply::Restart,
         group: TASK,
@@ -69,7 +68,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "target-radius",
-        kind: real(0.5, 20.0, 500.0, 0.5),
+        kind: Kind::real(0.5, 20.0, 500.0, 0.5),
         unit: "m",
         apply: Apply::Restart,
         group: TASK,
@@ -79,7 +78,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "cell-size",
-        kind: real(0.1, 5.0, 100.0, 0.1),
+        kind: Kind::real(0.1, 5.0, 100.0, 0.1),
         unit: "m",
         apply: Apply::Restart,
         group: TASK,
@@ -89,7 +88,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "coverage",
-        kind: real(0.0, 1.0, 1.0, 0.01),
+        kind: Kind::real(0.0, 1.0, 1.0, 0.01),
         unit: "",
         apply: Apply::Restart,
         group: TASK,
@@ -119,7 +118,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "start-clearance",
-        kind: real(0.0, 10.0, 100.0, 0.5),
+        kind: Kind::real(0.0, 10.0, 100.0, 0.5),
         unit: "m",
         apply: Apply::Restart,
         group: MAP,
@@ -139,7 +138,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "obstacles",
-        kind: int(0, 12, 200),
+        kind: Kind::int(0, 12, 200),
         unit: "obstacles",
         apply: Apply::Restart,
         group: MAP,
@@ -159,7 +158,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "obstacle-least",
-        kind: real(0.1, 20.0, 500.0, 0.5),
+        kind: Kind::real(0.1, 20.0, 500.0, 0.5),
         unit: "m",
         apply: Apply::Restart,
         group: MAP,
@@ -169,7 +168,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "obstacle-most",
-        kind: real(0.1, 20.0, 500.0, 0.5),
+        kind: Kind::real(0.1, 20.0, 500.0, 0.5),
         unit: "m",
         apply: Apply::Restart,
         group: MAP,
@@ -179,7 +178,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "clear-of-start",
-        kind: real(0.0, 30.0, 500.0, 0.5),
+        kind: Kind::real(0.0, 30.0, 500.0, 0.5),
         unit: "m",
         apply: Apply::Restart,
         group: MAP,
@@ -189,7 +188,7 @@ pub const PARAMETERS: &[Parameter] = &[
     },
     Parameter {
         name: "clear-of-target",
-        kind: real(0.0, 30.0, 500.0, 0.5),
+        kind: Kind::real(0.0, 30.0, 500.0, 0.5),
         unit: "m",
         apply: Apply::Restart,
         group: MAP,

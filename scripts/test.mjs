@@ -10,7 +10,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { createInterface } from 'node:readline';
 
 const MINUTES = 60_000;
-const LIMIT = 20 * MINUTES; // for one command, on a slow machine with empty caches
+const LIMIT = 40 * MINUTES; // for one command, on a slow machine with empty caches
 
 // Shown as a passing line on a terminal and not at all elsewhere: a first build has hundreds of them.
 const PROGRESS = /^\s*(Adding|Blocking|Checking|Compiling|Downloaded|Downloading|Locking|Updating) /;

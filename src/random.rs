@@ -51,6 +51,8 @@ pub enum Purpose {
     Terrain = 6,
     /// The second start of a world, in which fixed programs are tested.
     Settlement = 7,
+    /// Which of a swarm's programs are kept.
+    Archive = 8,
     /// What an agent's state machine does with a probability.
     Luck = 16,
     /// How starts are moved to see whether a plan survives it; one stream per replay.

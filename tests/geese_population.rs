@@ -181,22 +181,50 @@ fn programs_in_turns_are_those_of_the_population_and_change_as_often_as_the_turn
 }
 
 #[test]
+fn an_archive_holds_programs_of_the_whole_learning_and_no_others() {
+    let mut one = world(|params| {
+        params.learning_steps = 60;
+        params.population_form = PopulationForm::Archive;
+    })
+    .expect("it builds");
+    let start: BTreeSet<String> = programs(&mut one).into_iter().collect();
+    let (mut held, mut last) = (BTreeSet::new(), BTreeSet::new());
+    for _ in 0..60 {
+        one.step();
+        last = programs(&mut one).into_iter().collect();
+        held.extend(last.iter().cloned());
+    }
+    let mut ran = BTreeSet::new();
+    for _ in 0..300 {
+        one.step();
+        ran.extend(programs(&mut one));
+    }
+    let taken_up = held.difference(&start).count();
+    assert!(ran.is_subset(&held), "no other program");
+    // The sample is of everything that was taken up, so a program that came up once may be left out.
+    assert!(ran.len() * 10 > taken_up * 7, "most come up: {} of {taken_up}", ran.len());
+    assert!(ran.len() > 2 * last.len(), "more than the last ones: {} and {}", ran.len(), last.len());
+}
+
+#[test]
 fn the_second_start_is_the_same_whatever_came_before_in_the_timeline() {
-    let build = || {
-        world(|params| {
-            params.learning_steps = 40;
-            params.population_form = PopulationForm::Multiplexed;
-        })
-        .expect("it builds")
-    };
-    let mut straight = build();
-    (0..30).for_each(|_| straight.step());
-    let keyframe = straight.state().clone();
-    (0..40).for_each(|_| straight.step());
-    let mut again = build();
-    again.restore(&keyframe);
-    (0..40).for_each(|_| again.step());
-    assert_eq!(again.fingerprint(), straight.fingerprint());
+    for form in [PopulationForm::Multiplexed, PopulationForm::Archive] {
+        let build = || {
+            world(|params| {
+                params.learning_steps = 40;
+                params.population_form = form;
+            })
+            .expect("it builds")
+        };
+        let mut straight = build();
+        (0..30).for_each(|_| straight.step());
+        let keyframe = straight.state().clone();
+        (0..40).for_each(|_| straight.step());
+        let mut again = build();
+        again.restore(&keyframe);
+        (0..40).for_each(|_| again.step());
+        assert_eq!(again.fingerprint(), straight.fingerprint());
+    }
 }
 
 #[test]

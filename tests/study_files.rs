@@ -56,6 +56,11 @@ fn glance_of_depth() {
 }
 
 #[test]
+fn glance_of_archive() {
+    glance("archive");
+}
+
+#[test]
 fn glance_of_figure_2a() {
     glance("figure-2a");
 }

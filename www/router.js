@@ -42,6 +42,7 @@ export function createRouter({ places, nav, keys }) {
   /** @type {Room | null} */
   let current = null;
   let standing = location.hash; // the address before the change that is being told
+  let told = location.hash; // the address as it was arrived at or written last; another one is a step back or forward not told of yet
 
   nav.append(...rooms.map(({ link }) => link));
   nav.addEventListener('click', (event) => {
@@ -59,6 +60,7 @@ export function createRouter({ places, nav, keys }) {
    * @returns {Promise<Tab | null>} null when the tab could not be loaded
    */
   async function arrive(hash) {
+    told = location.hash;
     const room = roomOf(hash);
     const moved = room !== current;
     if (moved) change(room);
@@ -68,6 +70,7 @@ export function createRouter({ places, nav, keys }) {
     const bare = !query && (path === room.name || path === '');
     if (room.opened && moved && (bare || hash === room.left || hash === room.kept)) {
       if (room.kept) history.replaceState(null, '', room.kept);
+      told = location.hash;
     } else if (!room.opened || hash !== room.kept) {
       room.opened = true;
       await tab.open(hash);
@@ -128,10 +131,12 @@ export function createRouter({ places, nav, keys }) {
   function addressOf(room) {
     return {
       write(hash, push = false) {
+        if (room === current && location.hash !== told) return; // it would overwrite where the visitor has just gone
         room.kept = hash;
         if (room !== current || hash === location.hash) return;
         if (push) history.pushState(null, '', hash);
         else history.replaceState(null, '', hash);
+        told = location.hash;
       },
       knows: (hash) => hash === room.kept,
     };

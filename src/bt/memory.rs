@@ -5,6 +5,7 @@ use super::builtin::{BoundScript, Extra, Key, Source};
 use super::script::Entries;
 use super::{NodeId, Status, Tree, Value};
 use crate::fingerprint::Fingerprint;
+use std::sync::Arc;
 
 /// The state of a tree; made for one tree, and good for no other.
 #[derive(Clone, Debug, Default)]
@@ -193,7 +194,7 @@ impl Entries for Scope<'_> {
 #[derive(Debug)]
 pub struct Ports<'a> {
     pub(super) memory: &'a mut Memory,
-    pub(super) extra: Option<&'a Extra>,
+    pub(super) extras: &'a [Option<Arc<Extra>>],
     pub(super) node: NodeId,
 }
 
@@ -201,11 +202,16 @@ impl Ports<'_> {
     /// The leaf's instance name; empty when it has none.
     #[must_use]
     pub fn instance_name(&self) -> &str {
-        self.extra.map_or("", |extra| extra.name.as_str())
+        self.extra().map_or("", |extra| extra.name.as_str())
+    }
+
+    /// Looked up only by leaves that ask, not in each tick.
+    fn extra(&self) -> Option<&Extra> {
+        self.extras.get(self.node.index())?.as_deref()
     }
 
     fn source(&self, port: &str) -> Option<&Source> {
-        self.extra?.ports.iter().find(|(name, _)| name == port).map(|(_, source)| source)
+        self.extra()?.ports.iter().find(|(name, _)| name == port).map(|(_, source)| source)
     }
 
     /// The value of an input port; `None` when it is not given, or its entry has no value.

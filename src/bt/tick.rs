@@ -164,7 +164,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
 
     pub(super) fn tick(&mut self, node: NodeId) -> Result<Status, Broken> {
         let tree: &'a Tree<L> = self.tree;
-        let scripts = if H::PLAIN { None } else { tree.extra(node).and_then(|extra| extra.scripts.as_deref()) };
+        let scripts = if H::PLAIN { None } else { tree.scripts(node) };
         let status = match scripts {
             Some(scripts) => self.tick_with(node, scripts)?,
             None => self.tick_kind(node, &tree.nodes()[node.index()].kind)?,
@@ -201,7 +201,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         }
         match kind {
             Kind::Leaf(leaf) => {
-                let mut ports = Ports { extra: self.tree.extra(node), memory: self.memory, node };
+                let mut ports = Ports { extras: self.tree.extras(), memory: self.memory, node };
                 match self.host.tick(node, leaf, &mut ports) {
                     Status::Idle => Err(self.error(node, "expected a status from the leaf, found IDLE")),
                     status => Ok(status),
@@ -326,7 +326,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         let tree: &'a Tree<L> = self.tree;
         self.halt_kind(node, &tree.nodes()[node.index()].kind);
         if !H::PLAIN
-            && let Some(scripts) = tree.extra(node).and_then(|extra| extra.scripts.as_deref())
+            && let Some(scripts) = tree.scripts(node)
             && let Some(script) = &scripts.after[3]
             && self.run(node, script).is_err()
         {

@@ -1,7 +1,7 @@
 //! The tree as a flat arena: nodes in preorder, so a node's index is the id that is shown and saved.
 
 use super::blackboard::Boards;
-use super::builtin::{Builtin, Extra};
+use super::builtin::{Builtin, Extra, Scripts};
 use std::fmt;
 use std::sync::Arc;
 
@@ -96,6 +96,8 @@ pub struct Tree<L> {
     nodes: Vec<Node<L>>,
     /// What nodes have besides their kind, up to the last node that has anything.
     extras: Vec<Option<Arc<Extra>>>,
+    /// One past the last node that has scripts, so that the ticks of a tree without any look at no node's extras.
+    scripts_end: u32,
     boards: Option<Arc<Boards>>,
 }
 
@@ -111,6 +113,20 @@ impl<L> Tree<L> {
     #[inline]
     pub fn extra(&self, node: NodeId) -> Option<&Extra> {
         self.extras.get(node.index()).and_then(Option::as_deref)
+    }
+
+    /// The scripts around a node's tick.
+    #[inline]
+    pub(super) fn scripts(&self, node: NodeId) -> Option<&Scripts> {
+        if node.0 >= self.scripts_end {
+            return None;
+        }
+        self.extra(node).and_then(|extra| extra.scripts.as_deref())
+    }
+
+    /// What every node has besides its kind.
+    pub(super) fn extras(&self) -> &[Option<Arc<Extra>>] {
+        &self.extras
     }
 
     /// The blackboards; `None` for a tree that uses none.
@@ -193,6 +209,7 @@ impl std::error::Error for BuildError {}
 pub struct Builder<L> {
     nodes: Vec<Node<L>>,
     extras: Vec<Option<Arc<Extra>>>,
+    scripts_end: u32,
     boards: Option<Box<Boards>>,
     open: Vec<NodeId>,
     /// The first fault; later calls are ignored.
@@ -201,7 +218,7 @@ pub struct Builder<L> {
 
 impl<L> Default for Builder<L> {
     fn default() -> Self {
-        Self { nodes: Vec::new(), extras: Vec::new(), boards: None, open: Vec::new(), fault: None }
+        Self { nodes: Vec::new(), extras: Vec::new(), scripts_end: 0, boards: None, open: Vec::new(), fault: None }
     }
 }
 
@@ -219,6 +236,9 @@ impl<L> Builder<L> {
     /// Gives the node opened last a name, conditions or ports.
     pub fn extra(&mut self, extra: Extra) {
         if let Some(id) = self.open.last() {
+            if extra.scripts.is_some() {
+                self.scripts_end = self.scripts_end.max(id.0 + 1);
+            }
             self.extras.resize(id.index(), None);
             self.extras.push(Some(Arc::new(extra)));
         }
@@ -262,7 +282,7 @@ impl<L> Builder<L> {
     /// # Errors
     /// The first fault: no node, a second root, unbalanced nodes, a wrong number of children.
     pub fn finish(&mut self) -> Result<Tree<L>, BuildError> {
-        let mut tree = Tree { nodes: Vec::new(), extras: Vec::new(), boards: None };
+        let mut tree = Tree { nodes: Vec::new(), extras: Vec::new(), scripts_end: 0, boards: None };
         self.finish_into(&mut tree)?;
         Ok(tree)
     }
@@ -281,9 +301,11 @@ impl<L> Builder<L> {
         if fault.is_none() {
             std::mem::swap(&mut tree.nodes, &mut self.nodes);
             std::mem::swap(&mut tree.extras, &mut self.extras);
+            tree.scripts_end = self.scripts_end;
             tree.boards = self.boards.take().map(Arc::from);
         }
         self.boards = None;
+        self.scripts_end = 0;
         self.extras.clear();
         self.nodes.clear();
         self.open.clear();

@@ -144,6 +144,8 @@ pub enum PopulationForm {
     Blended,
     /// Each agent runs one of the fittest for a while, then another.
     Multiplexed,
+    /// The same with programs of the whole learning: a sample of those that agents took up at any time.
+    Archive,
 }
 
 /// Where two parents are cut.

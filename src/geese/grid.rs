@@ -10,10 +10,16 @@ pub struct Grid {
     side: u32,
     /// The first point of each cell.
     heads: Vec<u32>,
-    next: Vec<u32>,
-    previous: Vec<u32>,
-    cells: Vec<u32>,
-    points: Vec<[f64; 2]>,
+    links: Vec<Link>,
+}
+
+/// A point with its neighbours in the list of its cell: all that a search asks of it in one place of the memory.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    point: [f64; 2],
+    next: u32,
+    previous: u32,
+    cell: u32,
 }
 
 /// Where to look for points.
@@ -39,59 +45,54 @@ impl Grid {
             half,
             side,
             heads: vec![NONE; (side * side) as usize],
-            next: vec![NONE; count],
-            previous: vec![NONE; count],
-            cells: vec![NONE; count],
-            points: vec![[0.0; 2]; count],
+            links: vec![Link { point: [0.0; 2], next: NONE, previous: NONE, cell: NONE }; count],
         }
     }
 
     /// Where the point is, or last was.
     #[must_use]
     pub fn point(&self, id: u32) -> [f64; 2] {
-        self.points[id as usize]
+        self.links[id as usize].point
     }
 
     /// True when the point is in the set.
     #[cfg(test)]
     fn contains(&self, id: u32) -> bool {
-        self.cells[id as usize] != NONE
+        self.links[id as usize].cell != NONE
     }
 
     /// Puts the point at a place, into the set if it was not in it.
     pub fn put(&mut self, id: u32, point: [f64; 2]) {
-        self.points[id as usize] = point;
         let cell = self.axis(point[1]) * self.side + self.axis(point[0]);
-        if self.cells[id as usize] == cell {
+        let link = &mut self.links[id as usize];
+        link.point = point;
+        if link.cell == cell {
             return;
         }
         self.remove(id);
         let head = self.heads[cell as usize];
-        self.next[id as usize] = head;
-        self.previous[id as usize] = NONE;
+        self.links[id as usize] = Link { point, next: head, previous: NONE, cell };
         if head != NONE {
-            self.previous[head as usize] = id;
+            self.links[head as usize].previous = id;
         }
         self.heads[cell as usize] = id;
-        self.cells[id as usize] = cell;
     }
 
     /// Takes the point out of the set; its place is kept.
     pub fn remove(&mut self, id: u32) {
-        let cell = self.cells[id as usize];
+        let Link { next, previous, cell, .. } = self.links[id as usize];
         if cell == NONE {
             return;
         }
-        let (next, previous) = (self.next[id as usize], self.previous[id as usize]);
         if previous == NONE {
             self.heads[cell as usize] = next;
         } else {
-            self.next[previous as usize] = next;
+            self.links[previous as usize].next = next;
         }
         if next != NONE {
-            self.previous[next as usize] = previous;
+            self.links[next as usize].previous = previous;
         }
-        self.cells[id as usize] = NONE;
+        self.links[id as usize].cell = NONE;
     }
 
     /// Calls `found` with id and squared distance from `place` of every point of the area around it; in no useful order.
@@ -109,12 +110,12 @@ impl Grid {
             for cell in row * self.side + left..=row * self.side + right {
                 let mut id = self.heads[cell as usize];
                 while id != NONE {
-                    let point = self.points[id as usize];
+                    let Link { point, next, .. } = self.links[id as usize];
                     let distance = squared_distance(point, place);
                     if distance <= within && (within.is_finite() || self.is_between(point, low, high)) {
                         found(id, distance);
                     }
-                    id = self.next[id as usize];
+                    id = next;
                 }
             }
         }

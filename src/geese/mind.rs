@@ -1,6 +1,6 @@
 //! An agent's controller and all that evolution needs of it: genome, program, fitness and stored genomes.
 
-use super::controller::Controller;
+use super::controller::{Controller, Planted};
 use super::leaf::{Leaf, Tag};
 use super::program::Compiler;
 use super::switches::{ExplorationRule, FeedbackRule};
@@ -102,6 +102,25 @@ impl Mind {
     #[must_use]
     pub fn was_replaced(&self, tick: u32) -> bool {
         tick > 0 && self.since == tick
+    }
+
+    /// Reads something of each part of the mind, to no end but that it is near when it is needed.
+    #[must_use]
+    pub fn draw_near(&self) -> u64 {
+        let first = self.visited.squares().first().map_or(0, |&square| u64::from(square));
+        let lengths = (self.genome.codons.len() ^ self.storage.filled) as u64;
+        self.program.id ^ self.diversity.to_bits() ^ self.last[1].to_bits() ^ first ^ lengths
+    }
+
+    /// As [`Mind::draw_near`], of what the mind points to.
+    #[must_use]
+    pub fn draw_nearer(&self) -> u32 {
+        let stored = self.storage.entries.get(self.storage.filled).map_or(0, |entry| entry.donor);
+        let Controller::Tree(Planted { tree, memory, trace }) = &self.program.controller else { return stored };
+        let last = tree.nodes().len() - 1;
+        [0, last].iter().fold(stored, |all, &at| {
+            all ^ tree.nodes()[at].end ^ memory.status(NodeId(at as u32)) as u32 ^ trace[at].tick
+        })
     }
 
     /// Feeds everything that decides what the agent does next.

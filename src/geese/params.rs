@@ -326,6 +326,7 @@ impl Params {
                     PopulationForm::Heterogeneous,
                     PopulationForm::Blended,
                     PopulationForm::Multiplexed,
+                    PopulationForm::Archive,
                 ],
                 value,
             ),

@@ -107,7 +107,8 @@ impl Population {
     /// Source: BeTr-GEESE, sections 5.1 to 5.3. The authors' code takes a share of the different programs, of which it
     /// keeps as many as there are agents, and rounds it to the nearest whole number.
     fn chosen(&self, params: &Params, controllers: &[Controller]) -> Vec<usize> {
-        if params.population_form == PopulationForm::AsSaved {
+        // An archive is a sample already, and nobody knows what its members are worth.
+        if matches!(params.population_form, PopulationForm::AsSaved | PopulationForm::Archive) {
             return (0..controllers.len()).collect();
         }
         // The order of `total_cmp` turned round; equal ones stay in their order by their numbers.
@@ -161,7 +162,7 @@ impl Population {
             controllers.push(controller);
         }
         let chosen = self.chosen(params, &controllers);
-        let turns = if params.population_form == PopulationForm::Multiplexed {
+        let turns = if matches!(params.population_form, PopulationForm::Multiplexed | PopulationForm::Archive) {
             chosen.iter().filter_map(|&member| self.known(member, compiler)).collect()
         } else {
             Vec::new()

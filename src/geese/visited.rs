@@ -2,24 +2,29 @@
 
 /// A set of squares that remembers the order of the first visits.
 ///
-/// Programs live for a few steps, so the set is small whatever the arena: a table of twice as many places as squares,
-/// searched from a square's own place onwards. It is never walked through, so its layout shows nowhere.
+/// Programs live for a few steps, so the set is small whatever the arena. The first squares lie in the set itself, where a
+/// crowd's agents find them without another access to memory; from the next one on there is a table of at least twice as
+/// many places as squares, searched from a square's own place onwards. It is never walked through, so its layout shows
+/// nowhere.
 #[derive(Clone, Debug)]
 pub struct Visited {
     side: u32,
-    /// Square plus one, or 0; a power of two long.
+    count: u32,
+    /// The squares while they are few.
+    few: [u32; FEW],
+    /// Square plus one, or 0; a power of two long, or empty while the squares are few.
     table: Vec<u32>,
-    /// In the order of the first visit.
-    squares: Vec<u32>,
+    /// All squares in the order of the first visit; empty while they are few.
+    many: Vec<u32>,
 }
 
-const SMALLEST: usize = 16;
+const FEW: usize = 16;
 
 impl Visited {
     /// None visited yet; the arena has `side` squares along each side.
     #[must_use]
     pub fn new(side: u32) -> Self {
-        Self { side, table: vec![0; SMALLEST], squares: Vec::new() }
+        Self { side, count: 0, few: [0; FEW], table: Vec::new(), many: Vec::new() }
     }
 
     /// Marks the square of a point of the arena `[-side / 2, side / 2]` squared.
@@ -30,16 +35,38 @@ impl Visited {
 
     /// Marks a square by its number.
     pub fn mark_square(&mut self, square: u32) {
+        let count = self.count as usize;
+        if count > FEW {
+            self.mark_among_many(square);
+        } else if !self.few[..count].contains(&square) {
+            if count < FEW {
+                self.few[count] = square;
+            } else {
+                self.many.extend_from_slice(&self.few);
+                self.rebuild();
+                self.mark_among_many(square);
+                return;
+            }
+            self.count += 1;
+        }
+    }
+
+    fn mark_among_many(&mut self, square: u32) {
         if !self.insert(square) {
             return;
         }
-        self.squares.push(square);
-        if 2 * self.squares.len() > self.table.len() {
-            self.table.clear();
-            self.table.resize(4 * self.squares.len().next_power_of_two(), 0);
-            for index in 0..self.squares.len() {
-                self.insert(self.squares[index]);
-            }
+        self.many.push(square);
+        self.count = self.many.len() as u32;
+        if 2 * self.many.len() > self.table.len() {
+            self.rebuild();
+        }
+    }
+
+    fn rebuild(&mut self) {
+        self.table.clear();
+        self.table.resize(4 * self.many.len().next_power_of_two(), 0);
+        for index in 0..self.many.len() {
+            self.insert(self.many[index]);
         }
     }
 
@@ -63,26 +90,26 @@ impl Visited {
     /// The squares in the order of the first visit.
     #[must_use]
     pub fn squares(&self) -> &[u32] {
-        &self.squares
+        if self.count as usize > FEW { &self.many } else { &self.few[..self.count as usize] }
     }
 
     /// How many squares were visited.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.squares.len()
+        self.count as usize
     }
 
-    /// Forgets all; costs no more than what was visited.
+    /// Forgets all.
     pub fn clear(&mut self) {
-        self.squares.clear();
-        self.table.truncate(SMALLEST);
-        self.table.fill(0);
+        self.count = 0;
+        self.many.clear();
+        self.table.clear();
     }
 
     /// Bytes on the heap.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        (self.table.capacity() + self.squares.capacity()) * 4
+        (self.table.capacity() + self.many.capacity()) * 4
     }
 }
 

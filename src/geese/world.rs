@@ -1,5 +1,6 @@
 //! The world: a swarm that forages while every agent evolves its own program.
 
+use super::archive::Archive;
 use super::body::{Actor, Body};
 use super::breeding::{Best, Breeder, Source};
 use super::controller::{Controller, Planted};
@@ -18,6 +19,7 @@ use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, chance, stream};
 use rand::RngExt;
+use std::hint::black_box;
 use std::sync::Arc;
 
 /// Steps between two samples of the history.
@@ -44,6 +46,8 @@ pub struct State {
     learning: bool,
     /// The programs of a fixed population that runs them in turns.
     turns: Arc<[Known]>,
+    /// What was taken up so far; grows only when it will be asked for.
+    archive: Archive,
     activation: Stream,
     order: Vec<u32>,
     /// Agents that have touched no trap.
@@ -99,6 +103,7 @@ impl World {
             minds,
             learning: params.evolution,
             turns: turns.into(),
+            archive: Archive::new(seed),
             activation: stream(seed, Purpose::Activation, 0),
             order: (0..params.agents).collect(),
             alive: params.agents,
@@ -188,6 +193,7 @@ impl World {
         }
         for turn in 0..state.order.len() {
             let agent = state.order[turn];
+            state.draw_near(turn);
             if !state.bodies[agent as usize].alive {
                 continue;
             }
@@ -214,7 +220,9 @@ impl World {
         let Self { params, seed, breeder, state, .. } = self;
         state.learning = false;
         let seed = seed.of_restart(Purpose::Settlement);
-        let population = Population::of_minds(&state.minds);
+        let archived =
+            if params.population_form == PopulationForm::Archive { state.archive.population() } else { None };
+        let population = archived.unwrap_or_else(|| Population::of_minds(&state.minds));
         let (Ok(field), Ok(Deal { agents: dealt, turns })) =
             (Field::new(params, seed), population.deal(params, seed, &mut breeder.compiler))
         else {
@@ -240,6 +248,7 @@ impl World {
         hash.stream(&state.activation);
         state.order.iter().for_each(|&agent| hash.u32(agent));
         state.field.feed(&mut hash);
+        state.archive.feed(&mut hash);
         for (id, (body, mind)) in state.bodies.iter().zip(&state.minds).enumerate() {
             state.field.agents.point(id as u32).iter().for_each(|&value| hash.f64(value));
             body.feed(&mut hash);
@@ -433,11 +442,27 @@ impl State {
             if params.fitness == FitnessRule::Delayed || params.storage_value == StorageValue::Live {
                 mind.last = [mind.fitness, mind.last[0]];
             }
+            if params.learning_steps > 0 && params.population_form == PopulationForm::Archive {
+                self.archive.add(&mind.genome);
+            }
             mind.take_up(&mut breeder.compiler, self.tick);
             self.swaps += 1;
         }
         mind.storage = storage;
         mind.evolution = rng;
+    }
+
+    /// Touches what the next agents will need. In a crowd that is nowhere near the processor, and one agent after the other
+    /// would wait for it piece by piece: read ahead, the pieces arrive together while the present agent acts.
+    fn draw_near(&self, turn: usize) {
+        if let Some(&agent) = self.order.get(turn + 3) {
+            let (body, mind) = (&self.bodies[agent as usize], &self.minds[agent as usize]);
+            let place = self.field.agents.point(agent);
+            black_box(u64::from(body.alive) ^ mind.draw_near() ^ place[0].to_bits());
+        }
+        if let Some(&agent) = self.order.get(turn + 1) {
+            black_box(self.minds[agent as usize].draw_nearer());
+        }
     }
 
     /// Gives the agent another program of the fixed population, once in a while.
@@ -486,6 +511,9 @@ impl State {
             let programs = mind.program.controller.bytes() + mind.replaced.controller.bytes();
             size_of::<Mind>() + size_of::<Body>() + mind.visited.bytes() + mind.storage.bytes() + programs + 256
         };
-        self.minds.iter().map(mind).sum::<usize>() + self.history.len() * size_of::<Sample>() + 8192
+        self.minds.iter().map(mind).sum::<usize>()
+            + self.archive.bytes()
+            + self.history.len() * size_of::<Sample>()
+            + 8192
     }
 }

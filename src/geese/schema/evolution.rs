@@ -256,6 +256,7 @@ pub const PARAMETERS: &[Parameter] = &[
             ("heterogeneous", text("The fittest, each its own")),
             ("blended", text("The fittest, all in each robot")),
             ("multiplexed", text("The fittest in turns, by chance")),
+            ("archive", text("All that was ever taken up, in turns")),
         ]),
         unit: "",
         apply: Apply::Restart,

@@ -193,6 +193,9 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         Ok(status)
     }
 
+    /// Part of [`Ticking::tick`]: a call less for each node, which WebAssembly feels more than other machines.
+    #[expect(clippy::inline_always, reason = "measured: a quarter more ticks per second in WebAssembly")]
+    #[inline(always)]
     fn tick_kind(&mut self, node: NodeId, kind: &'a Kind<L>) -> Result<Status, Broken> {
         if !matches!(kind, Kind::Leaf(_) | Kind::Builtin(_)) && self.slot(node).status != Status::Running {
             let slot = self.slot(node);

@@ -86,6 +86,11 @@ fn glance_of_mutation() {
 }
 
 #[test]
+fn glance_of_published_switches() {
+    glance("published-switches");
+}
+
+#[test]
 fn glance_of_random_programs() {
     glance("random-programs");
 }

@@ -51,6 +51,11 @@ fn glance_of_algorithms() {
 }
 
 #[test]
+fn glance_of_crowds() {
+    glance("crowds");
+}
+
+#[test]
 fn glance_of_depth() {
     glance("depth");
 }

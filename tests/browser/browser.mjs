@@ -5,7 +5,7 @@ import { chromium } from 'playwright-core';
 
 const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
-const PATIENCE_MS = 20_000;
+const PATIENCE_MS = 60_000; // a busy machine may stand still for half a minute
 
 /** Chromium from the variable CHROMIUM or the PATH; null when there is none. */
 export function findChromium() {

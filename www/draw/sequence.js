@@ -219,7 +219,7 @@ function trace(context, path, robots, robot, from, to, scale) {
 export function drawFrontier(context, { size, task }, theme, rows, from, to) {
   const scale = scaleOf(task, size);
   const colours = [theme.secondary, theme.secondary, theme.secondary, theme.food];
-  const alphas = [0.45, 0.25, 0.15, 0.9];
+  const alphas = [0.3, 0.2, 0.12, 0.8];
   context.lineWidth = 1;
   for (let row = from; row < to; row += 1) {
     const at = row * ROW;
@@ -240,7 +240,7 @@ export function drawFrontier(context, { size, task }, theme, rows, from, to) {
     if (fate !== FATE.open && fate !== FATE.goal) continue;
     context.globalAlpha = 1;
     context.beginPath();
-    context.arc(x, y, 2, 0, TAU);
+    context.arc(x, y, 1.75, 0, TAU);
     context.fillStyle = fate === FATE.goal ? theme.food : theme.plan;
     context.fill();
     context.strokeStyle = theme.ink;

@@ -86,7 +86,7 @@ export const text = {
     waiting: (/** @type {number} */ count) => plural(count, 'change'),
     changedCount: (/** @type {number} */ count) => `${count} changed`,
     reset: (/** @type {string} */ value) => (value ? `↺ preset ${value}` : '↺ preset'),
-    resetLong: (/** @type {string} */ label, /** @type {string} */ value) => `Set ${label} back to the preset's ${value || 'text'}`,
+    resetLong: (/** @type {string} */ label, /** @type {string} */ value) => `${text.controls.reset(value)}: ${label}`,
     beyond: (/** @type {number} */ max, /** @type {number} */ hardMax) => `Beyond the slider's ${max}; taken up to ${hardMax}, may be slow.`,
     /** @param {Parameter} parameter */
     source: ({ source, min, hard_max: hardMax, max, type, default: preset }) =>

@@ -98,7 +98,7 @@ export const sequenceText = {
 
   inspector: { plan: 'Plan', search: 'Search', robots: 'Robots', game: 'Beat it' },
   plan: {
-    columns: ['', 'Behaviour', 'Path, m', 'Cells'],
+    columns: ['No.', 'Behaviour', 'Path, m', 'Cells'],
     total: (/** @type {string} */ total, /** @type {string} */ charges, /** @type {boolean} */ charged) => (charged ? `In all ${total}, of which ${charges} charges for time and switches.` : `In all ${total} of path, all robots together.`),
     none: 'No plan.',
     blocked: 'What each behaviour runs into when it is the first:',

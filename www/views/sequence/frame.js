@@ -19,8 +19,8 @@ export function createSequenceFrame(element) {
   const tag = h('p', { class: 'tag', id: 'sequence-tag' });
   const head = h('div', { class: 'world-head' }, verdict, tag);
   const refusal = h('p', { class: 'refusal', id: 'sequence-refusal', role: 'alert' });
-  const stages = h('div', { class: 'sequence-stages' });
-  pane.append(h('h2', { class: 'unseen' }, sequenceText.pane.map), head, refusal, stages);
+  const stages = h('div', { class: 'sequence-stages' }, refusal);
+  pane.append(h('h2', { class: 'unseen' }, sequenceText.pane.map), head, stages);
 
   return {
     main,

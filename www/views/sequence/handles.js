@@ -35,6 +35,9 @@ export function createHandles({ map, hold, task, tool, drawn }) {
   let corners = [];
   /** @type {[number, number] | null} where a disc or box was begun */
   let origin = null;
+  /** @type {Task | null} */
+  let shownTask = null;
+  let shownLooks = '';
 
   /** @param {PointerEvent} event @param {Scale} scale @returns {[number, number]} metres */
   function pointOf(event, scale) {
@@ -150,11 +153,14 @@ export function createHandles({ map, hold, task, tool, drawn }) {
       sketch.setAttribute('d', '');
     },
 
-    /** Shapes where things stand now. */
+    /** Shapes where things stand now; those that are there stay while nothing has changed, or a press would lose them. */
     show() {
       const now = task();
       back.classList.toggle('on', tool() !== null);
       if (!now || map.size() === 0) return;
+      const looks = `${map.size()} ${hold.chosen?.kind} ${hold.chosen?.index} ${hold.refusal()} ${tool()}`;
+      if (now === shownTask && looks === shownLooks) return;
+      [shownTask, shownLooks] = [now, looks];
       const scale = scaleOf(now, map.size());
       const start = middleOf(now.start);
       const reach = Math.max(...now.start.map(([x, y]) => Math.hypot(x - start.x, y - start.y)));

@@ -91,9 +91,10 @@ export function createRibbon({ planner, playback, session, announce }) {
         const kind = ['cell', letter === '.' ? 'idle' : '', interval < locked ? 'locked' : '', fails ? 'fails' : '', cut && !fails ? 'unreached' : ''].filter(Boolean).join(' ');
         return h(
           'button',
-          { type: 'button', class: kind, 'aria-label': label, title: label, tabindex: interval === chosen ? 0 : -1, onclick: () => go(interval) },
-          h('span', { class: 'cell-letter', 'aria-hidden': 'true' }, fails ? `${letter}✗` : letter === '.' ? '·' : letter),
-          h('span', { class: 'cell-cost', 'aria-hidden': 'true' }, cost === undefined ? '–' : Math.round(cost)),
+          { type: 'button', class: kind, title: label, tabindex: interval === chosen ? 0 : -1, onclick: () => go(interval) },
+          h('span', { class: 'cell-letter' }, fails ? `${letter}✗` : letter === '.' ? '·' : letter),
+          h('span', { class: 'cell-cost' }, cost === undefined ? '–' : Math.round(cost)),
+          h('span', { class: 'unseen' }, ` ${label}`),
         );
       }),
     );
@@ -111,6 +112,7 @@ export function createRibbon({ planner, playback, session, announce }) {
     element.classList.toggle('by-hand', session.hand !== null);
     if (!path || !task) {
       shown = null;
+      strip.replaceChildren();
       return;
     }
     chosen = Math.min(chosen, path.letters.length - 1);

@@ -20,6 +20,8 @@ const TOOLS = /** @type {const} */ (['disc', 'box', 'polygon']);
 export function createTools({ hold, session, task, finish, changed }) {
   /** @type {Tool | null} */
   let tool = null;
+  /** @type {HTMLInputElement | null} what is being typed into stays as it is */
+  let typing = null;
   const undo = button(sequenceText.tools.undo, () => void session.undo(), { glyph: '↶', action: 'undo' });
   const redo = button(sequenceText.tools.redo, () => void session.redo(), { glyph: '↷', action: 'redo' });
   const draws = TOOLS.map((kind) => {
@@ -36,7 +38,9 @@ export function createTools({ hold, session, task, finish, changed }) {
   });
   const fields = FIELDS.map((name) => {
     const box = h('input', { type: 'text', inputmode: 'decimal', id: `sequence-${name}`, autocomplete: 'off', size: 6 });
+    box.addEventListener('input', () => (typing = box));
     box.addEventListener('change', () => {
+      typing = null;
       const number = Number(box.value.trim().replace('−', '-'));
       const fits = box.value.trim() !== '' && Number.isFinite(number) && (name === 'x' || name === 'y' || name === 'heading' || number > 0);
       box.toggleAttribute('aria-invalid', !fits);
@@ -98,7 +102,7 @@ export function createTools({ hold, session, task, finish, changed }) {
     for (const { name, box, label } of fields) {
       const value = place?.[name];
       label.hidden = value === undefined;
-      if (value === undefined || (document.activeElement === box && box.getAttribute('aria-invalid'))) continue;
+      if (value === undefined || typing === box || (document.activeElement === box && box.getAttribute('aria-invalid'))) continue;
       box.removeAttribute('aria-invalid');
       box.value = String(Math.round((name === 'heading' ? value * DEGREES : value) * 100) / 100);
     }

@@ -5,8 +5,8 @@ use super::{answer, error};
 use crate::random::Seed;
 use crate::scenario::{Scenario, WorldParams, schema};
 use crate::sequencing::{
-    Cells, Collision, Form, Goal, Kernel, Params, Replay, STEPS_PER_SECOND, Search, Solution, Task, first_interval,
-    follow, jittered, replay,
+    Cells, Collision, Form, Goal, Kernel, Params, Replay, STEPS_PER_SECOND, Search, Solution, Task, Touched,
+    first_interval, follow, jittered,
 };
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
@@ -159,46 +159,17 @@ impl Sequence {
         answer(Some(first_interval(self.search.task())))
     }
 
-    /// Carries out a sequence of letters on the task without margins; returns costs, visited cells, charges, whether the
-    /// goal is reached, and the first collision, as JSON.
-    ///
-    /// # Errors
-    /// A letter that no behaviour has.
-    pub fn replay(&mut self, letters: &str) -> Result<String, JsError> {
-        let sequence = self.sequence(letters)?;
-        let done = replay(&self.task, &sequence, self.task.start(), &mut self.kernel);
-        let charges = self.search.options().costs.of(&sequence, self.task.stop(), self.task.interval());
-        let Replay { costs, visited, collision, goal, .. } = &done;
-        let collision = collision.map(|(interval, collision)| {
-            json!({
-                "interval": interval,
-                "step": collision.step,
-                "robot": collision.robot,
-                "obstacle": match collision.touched {
-                    crate::sequencing::Touched::Obstacle(at) => Some(at),
-                    crate::sequencing::Touched::Edge => None,
-                },
-            })
-        });
-        Ok(answer(Some(json!({
-            "costs": costs,
-            "charges": charges,
-            "total": done.cost() + charges,
-            "visited": visited,
-            "goal": goal,
-            "feasible": done.is_feasible(),
-            "collision": collision,
-        }))))
-    }
-
     /// Fills the buffer with the poses of a sequence carried out, every so many steps: per frame x, y and heading of
-    /// each robot. Returns how many frames there are; fewer than asked for after a collision, whose moment is the last.
+    /// each robot; fewer than asked for after a collision, whose moment is the last. The task is the one without margins.
+    ///
+    /// Returns how many frames there are, the costs and visited cells of each interval, charges, whether the goal is
+    /// reached, and the first collision, as JSON.
     ///
     /// - `run`: `undefined` for the task's own start, otherwise the number of a start moved by `jitter` metres.
     ///
     /// # Errors
     /// A letter that no behaviour has.
-    pub fn trajectory(&mut self, letters: &str, every: u32, jitter: f64, run: Option<u32>) -> Result<u32, JsError> {
+    pub fn trajectory(&mut self, letters: &str, every: u32, jitter: f64, run: Option<u32>) -> Result<String, JsError> {
         let sequence = self.sequence(letters)?;
         let (task, buffer, visits) = (&self.task, &mut self.buffer, &mut self.visits);
         let start = run.map_or_else(|| task.start().to_vec(), |run| jittered(task, jitter.max(0.0), self.seed, run));
@@ -217,8 +188,7 @@ impl Sequence {
             buffer.extend((0..robots).flat_map(|robot| [0, 1, 2].map(|part| state[part * robots + robot] as f32)));
             frames += 1;
         };
-        let mut end = Vec::new();
-        let cut = follow(task, &sequence, &start, &mut self.kernel, |step, state, marks| {
+        let done = follow(task, &sequence, &start, &mut self.kernel, |step, state, marks| {
             last = step;
             for (word, (known, &marks)) in known.iter_mut().zip(marks).enumerate() {
                 let mut new = marks & !*known;
@@ -232,15 +202,30 @@ impl Sequence {
             }
             if step % every == 0 {
                 take(state);
-            } else {
-                end.clear();
-                end.extend_from_slice(state);
             }
         });
-        if cut.is_some() && last % every != 0 {
-            take(&end);
+        if done.collision.is_some() && last % every != 0 {
+            take(&done.state);
         }
-        Ok(frames)
+        let charges = self.search.options().costs.of(&sequence, task.stop(), task.interval());
+        let Replay { costs, visited, collision, goal, .. } = &done;
+        let collision = collision.map(|(interval, Collision { step, robot, touched })| {
+            let obstacle = match touched {
+                Touched::Obstacle(at) => Some(at),
+                Touched::Edge => None,
+            };
+            json!({ "interval": interval, "step": step, "robot": robot, "obstacle": obstacle })
+        });
+        Ok(answer(Some(json!({
+            "frames": frames,
+            "costs": costs,
+            "charges": charges,
+            "total": done.cost() + charges,
+            "visited": visited,
+            "goal": goal,
+            "feasible": done.is_feasible(),
+            "collision": collision,
+        }))))
     }
 
     /// Replays a sequence from starts moved by `jitter` metres, so many from number `first` on. Returns a JSON list of
@@ -258,23 +243,20 @@ impl Sequence {
         for run in first..first.saturating_add(count) {
             let start = jittered(task, jitter.max(0.0), self.seed, run);
             let blocked = !task.is_free(&start);
-            let done = replay(task, &sequence, &start, &mut self.kernel);
             let mut frames = 0;
-            let mut end = Vec::new();
-            let cut = follow(task, &sequence, &start, &mut self.kernel, |step, state, _| {
+            let done = follow(task, &sequence, &start, &mut self.kernel, |step, state, _| {
                 if step % STEPS_PER_SECOND == 0 {
                     let middle = |axis: &[f64]| (axis.iter().sum::<f64>() / robots as f64) as f32;
                     buffer.extend([middle(&state[..robots]), middle(&state[robots..2 * robots])]);
                     frames += 1;
                 }
-                end.clear();
-                end.extend_from_slice(state);
             });
+            let place = |robot: u32| [done.state[robot as usize], done.state[robots + robot as usize]];
             found.push(json!({
                 "feasible": !blocked && done.is_feasible(),
                 "cost": done.cost(),
                 "frames": frames,
-                "hit": cut.map(|(_, Collision { robot, .. })| [end[robot as usize], end[robots + robot as usize]]),
+                "hit": done.collision.map(|(_, Collision { robot, .. })| place(robot)),
             }));
         }
         Ok(Value::from(found).to_string())

@@ -23,7 +23,7 @@ export async function openPlan(open, hash = '#/sequence', options = {}) {
     result: (...kinds) => opened.until((wanted) => wanted.includes(document.querySelector('#sequence')?.getAttribute('data-result')), kinds),
 
     /** Waits for a plan that is of the present placement. */
-    planned: () => opened.until(() => document.querySelectorAll('#sequence .ribbon-pane:not(.stale) .cell').length > 0),
+    planned: () => opened.until(() => document.querySelectorAll('#sequence .ribbon-pane:not(.stale) .plan-cell').length > 0),
 
     letters: async () => (await page.locator('#sequence .cell-letter').allTextContents()).map((letter) => (letter === '·' ? '.' : letter.charAt(0))).join(''),
 

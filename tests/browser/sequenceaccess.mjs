@@ -17,7 +17,7 @@ export const cases = [
         const sheet = async () => phone && (await page.locator('#sequence .sheet-handle').click());
         assert.deepEqual(await violations(page), [], 'opening');
         await page.locator('#sequence-thing').selectOption('target-0');
-        await page.locator('#sequence .cell').nth(1).click();
+        await page.locator('#sequence .plan-cell').nth(1).click();
         await page.locator('#sequence-behaviour').selectOption('W');
         await page.locator('#sequence-hand').filter({ hasText: 'Your plan' }).waitFor();
         assert.deepEqual(await violations(page), [], 'plan made by hand');

@@ -174,7 +174,7 @@ export const cases = [
       await until(() => document.querySelectorAll('#sequence .thing.obstacle').length === 0);
       await result('optimal');
       const before = await letters();
-      await reach('#sequence .cell');
+      await reach('#sequence .plan-cell');
       await page.keyboard.press('ArrowRight');
       await page.keyboard.press('ArrowDown');
       await page.locator('#sequence-hand').filter({ hasText: 'Your plan' }).waitFor();

@@ -1,9 +1,8 @@
-import { NEVER } from '../sequence/types.js';
-
 /** @import { Form, Path, Ray, Task } from '../sequence/types.js' */
 /** @import { Theme } from './theme.js' */
 
 const TAU = 2 * Math.PI;
+const NEVER = 0xffffffff; // the step after which a cell that nobody visits counts as visited
 const ROBOT = 0.9; // radius of a robot's mark, metres; within these bounds in pixels
 const LEAST_MARK = 3.5;
 const MOST_MARK = 9;
@@ -219,7 +218,8 @@ function trace(context, path, robots, robot, from, to, scale) {
 export function drawFrontier(context, { size, task }, theme, rows, from, to) {
   const scale = scaleOf(task, size);
   const colours = [theme.secondary, theme.secondary, theme.secondary, theme.food];
-  const alphas = [0.3, 0.2, 0.12, 0.8];
+  const dark = theme.accent === theme.plan; // there the sky blue needs no outline, and lines are brighter than the ground
+  const alphas = dark ? [0.2, 0.14, 0.08, 0.7] : [0.3, 0.2, 0.12, 0.8];
   context.lineWidth = 1;
   for (let row = from; row < to; row += 1) {
     const at = row * ROW;
@@ -243,7 +243,7 @@ export function drawFrontier(context, { size, task }, theme, rows, from, to) {
     context.arc(x, y, 1.75, 0, TAU);
     context.fillStyle = fate === FATE.goal ? theme.food : theme.plan;
     context.fill();
-    context.strokeStyle = theme.ink;
+    context.strokeStyle = dark ? theme.ground : theme.ink;
     context.lineWidth = 0.5;
     context.stroke();
     context.lineWidth = 1;

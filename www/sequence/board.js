@@ -86,9 +86,10 @@ export function createBoard({ element, frame, state, planner, playback, session,
   const robots = createRobotTab({ planner, playback, hold });
   const inspector = createSequenceInspector({
     pane: frame.inspector,
+    playing: game.hides,
     panels: [
-      { name: 'plan', label: sequenceText.inspector.plan, panel: plan },
-      { name: 'search', label: sequenceText.inspector.search, panel: search },
+      { name: 'plan', label: sequenceText.inspector.plan, panel: { ...plan, secret: true } },
+      { name: 'search', label: sequenceText.inspector.search, panel: { ...search, secret: true } },
       { name: 'robots', label: sequenceText.inspector.robots, panel: robots },
       { name: 'game', label: sequenceText.inspector.game, panel: createGameTab({ game, planner, playback }) },
     ],
@@ -113,6 +114,7 @@ export function createBoard({ element, frame, state, planner, playback, session,
   comparing.setAttribute('aria-pressed', 'false');
   frame.head.append(comparing);
 
+  let rested = false; // whether the search was interrupted for A | B
   async function toggleCompare() {
     try {
       loading ??= import('./compare.js').then(({ createCompare }) => createCompare({ frame, session, playback, layers, spawn, theme, onTheme: themes.on, broke, announce }));
@@ -122,9 +124,12 @@ export function createBoard({ element, frame, state, planner, playback, session,
       say(sequenceText.compare.missing(messageOf(error)), 'problem');
       return;
     }
-    if (compare.on()) compare.close();
-    else {
+    if (compare.on()) {
+      compare.close();
+      if (rested) void planner.resume();
+    } else {
       if (game.stage !== 'off') game.end();
+      rested = planner.status === 'searching';
       planner.hold(); // two searches are enough
       compare.open();
     }
@@ -156,7 +161,7 @@ export function createBoard({ element, frame, state, planner, playback, session,
   function show() {
     const words = game.hides() ? sequenceText.game.hidden : verdictOf(planner);
     frame.pane.classList.toggle('gaming', game.hides());
-    const tag = state.name === 'busy' ? sequenceText.tag.searching : state.name === 'paused' ? text.tag('paused', '') : '';
+    const tag = state.name === 'paused' ? text.tag('paused', '') : ''; // that it searches is said in words
     frame.show({ verdict: words, tag, refusal: session.refusal === '' ? '' : sequenceText.refused(sequenceText.plain(session.refusal)) });
     tools.show();
     inspector.show();
@@ -175,7 +180,7 @@ export function createBoard({ element, frame, state, planner, playback, session,
     const visited = 'cells' in goal && path ? path.visits.reduce((count, visit) => count + Number(visit <= step), 0) : 0;
     const wanted = 'cells' in goal ? Math.ceil(goal.ratio * goal.cells.columns * goal.cells.rows) : 0;
     const covered = 'cells' in goal ? sequenceText.map.covered(visited, wanted) : '';
-    legend.show({ frontier: String(planner.rowCount || ''), robots: String(now.start.length) }, `${sequenceText.map.summary(step / 10, now.start.length, now.obstacles.length, behaviour)} ${covered}`);
+    legend.show({ frontier: String(planner.rowCount || ''), robots: String(now.start.length) }, fan.drawn() !== null, `${sequenceText.map.summary(step / 10, now.start.length, now.obstacles.length, behaviour)} ${covered}`);
   }
 
   let chosen = '';

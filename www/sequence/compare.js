@@ -16,6 +16,8 @@ import { kindOf, verdictOf } from './words.js';
 
 const words = sequenceText.compare;
 
+const FACTS = ['ratio', 'integrated', 'expanded', 'open', 'time'];
+
 /** @type {Record<string, [Record<string, any>, Record<string, any>]>} what A and B differ in */
 const PAIRS = {
   literal: [{ method: 'literal' }, { method: 'exact' }],
@@ -52,7 +54,7 @@ export function createCompare({ frame, session, playback, layers, spawn, theme, 
       theme,
     });
     const name = h('span', { class: 'side-name' });
-    const facts = createFacts();
+    const facts = createFacts(FACTS);
     const said = h('p', { class: 'side-said' });
     const element = h('section', { class: 'sequence-side', 'data-side': letter, 'aria-label': letter.toUpperCase() }, h('h3', {}, h('b', {}, letter.toUpperCase()), ' ', name), map.stage, said, facts.element);
     planner.on('slice', () => {
@@ -111,7 +113,7 @@ export function createCompare({ frame, session, playback, layers, spawn, theme, 
     open() {
       on = true;
       frame.stages.prepend(element);
-      frame.head.after(bar);
+      frame.head.prepend(bar);
       for (const { engine } of sides) engine.start();
       void run();
     },

@@ -5,7 +5,7 @@ import { messageOf } from '../session.js';
 /** @import { Path, Progress, Ray, Scenario, Slice, Task } from './types.js' */
 
 const FIRST_MS = 80; // the longest that a placement is searched for a first plan before the page hears of it
-const SLICE_MS = 20; // the longest that a newer placement waits
+const SLICE_MS = 14; // the longest that a newer placement waits
 const ROW = 6;
 
 /** @typedef {'searching' | 'held' | 'ended'} Status a held search was left and can go on as it is */

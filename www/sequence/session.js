@@ -212,7 +212,7 @@ export function createSequenceSession({ engine, planner, playback, address, sche
       session.refusal = '';
       if (refusal) {
         say(refused(sequenceText.plain(refusal)), 'problem');
-        if (planner.task) await planner.open(before.scenario);
+        if (planner.task && JSON.stringify(planner.scenario) !== JSON.stringify(before.scenario)) await planner.open(before.scenario);
         tell('change');
         return false;
       }

@@ -54,7 +54,7 @@
  * @property {Replay} replay
  * @property {Float32Array} poses x, y, heading of each robot, frame after frame
  * @property {number} frames one for each step of 0.1 s, the start included
- * @property {Uint32Array} visits for each cell the step after which it counts as visited; `NEVER` otherwise
+ * @property {Uint32Array} visits for each cell the step after which it counts as visited; 4294967295 never
  *
  * @typedef {object} Slice a part of a search
  * @property {Progress} progress
@@ -79,4 +79,4 @@
  * | `follow { letters }` | `{ path }`; refused for a letter that no behaviour has |
  * | `fan { letters, jitter, first, count }` | `{ rays, middles }`; x and y of the swarm's middle every second, ray after ray |
  */
-export const NEVER = 0xffffffff;
+export {};

@@ -116,9 +116,9 @@ function search(task, budgetMs, first) {
 
 /** @param {Sequence} task @param {string} letters */
 function follow(task, letters) {
-  const frames = task.trajectory(letters, 1, 0, undefined);
+  const { frames, ...replay } = JSON.parse(task.trajectory(letters, 1, 0, undefined));
   const poses = copied(task.trajectory_pointer(), task.trajectory_length());
-  return { letters, replay: JSON.parse(task.replay(letters)), poses, frames, visits: task.visits() };
+  return { letters, replay, poses, frames, visits: task.visits() };
 }
 
 /** A copy of reals in wasm memory; the view is made now, since growth of the memory detaches older ones. @param {number} pointer @param {number} length */

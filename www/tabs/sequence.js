@@ -89,12 +89,22 @@ export function createSequence({ element, address, built, live, themes }) {
     else void session.redo();
   });
 
+  let rested = false; // whether the search was interrupted because the page was left
+  const back = () => {
+    if (element.hidden || document.hidden || !rested) return;
+    rested = false;
+    void planner.resume().catch(() => {}); // an engine that broke has said so itself
+  };
+  new MutationObserver(back).observe(element, { attributes: true, attributeFilter: ['hidden'] });
+  document.addEventListener('visibilitychange', back);
+
   return {
     state,
     actions,
     regions: [frame.pane, frame.transport],
     pause() {
       playback.pause();
+      rested ||= planner.status === 'searching';
       planner.hold();
       board?.pause();
     },

@@ -24,7 +24,6 @@ export const sequenceText = {
   },
 
   pane: { map: 'Map', controls: 'Controls', inspector: 'Inspector' },
-  tag: { searching: 'Searching', playing: '', none: '' },
 
   verdict: {
     none: 'Which order of behaviours brings the whole swarm to the target at the least cost?',
@@ -35,7 +34,7 @@ export const sequenceText = {
     noProof: (/** @type {string} */ cost) => `The best plan so far costs ${cost}; this method proves nothing about it.`,
     best: (/** @type {string} */ cost) => `The plan costs ${cost}, and none costs less.`,
     /** @param {string} cost @param {string} ratio @param {string} bound */
-    within: (cost, ratio, bound) => `The best plan so far costs ${cost}. None costs less than ${bound}, so it is at most ${ratio} times the least.`,
+    within: (cost, ratio, bound) => `The best plan so far costs ${cost}, at most ${ratio} times the least: none costs less than ${bound}.`,
     solved: (/** @type {string} */ what) => `Solved: the weight's promise is kept. ${what.replace(' so far', '')}`,
     optimal: (/** @type {string} */ cost, /** @type {boolean} */ idle) => (idle ? 'Proved optimal: the goal holds already, and nobody has to move.' : `Proved optimal: ${cost}, and no plan costs less.`),
     infeasible: (/** @type {string} */ why) => `Proved infeasible: there is no plan. ${why}`,
@@ -70,6 +69,7 @@ export const sequenceText = {
     place: 'Chosen thing',
     chosen: 'Choose a thing on the map',
     none: 'Choose…',
+    hint: 'Drag anything on the map, or choose it and type where it is to stand.',
     thing,
     field: { x: 'x', y: 'y', heading: 'heading °', radius: 'radius', width: 'width', height: 'height' },
     remove: 'Delete',
@@ -80,9 +80,10 @@ export const sequenceText = {
     /** @param {number} interval @param {string} name @param {number | null} cost @param {boolean} locked @param {boolean} fails */
     cell: (interval, name, cost, locked, fails) => `${interval}: ${name}${fails ? ', collides' : cost === null ? ', not reached' : `, ${cost.toFixed(0)} m`}${locked ? ', yours' : ''}`,
     interval: (/** @type {number} */ interval, /** @type {number} */ from, /** @type {number} */ to) => `Interval ${interval}, ${from} to ${to} s`,
-    lock: (/** @type {number} */ count) => (count === 1 ? 'Keep the first, plan the rest' : `Keep the first ${count}, plan the rest`),
-    unlock: (/** @type {number} */ count) => (count === 0 ? 'Keep none, plan all' : `Keep only the first ${count}`),
-    locked: (/** @type {number} */ count) => `The first ${plural(count, 'is', 'are').replace(/^1 /, '')} yours; the rest is planned.`,
+    lock: (/** @type {number} */ count) => (count === 1 ? 'Keep the first' : `Keep the first ${count}`),
+    unlock: (/** @type {number} */ count) => (count === 0 ? 'Keep none' : `Keep only the first ${count}`),
+    lockLong: 'These are yours; the rest is planned',
+    locked: (/** @type {number} */ count) => (count === 1 ? 'The first is yours; the rest is planned.' : `The first ${count} are yours; the rest is planned.`),
     back: "Back to the planner's plan",
     none: 'There is no plan to show.',
     waiting: 'A plan is being looked for.',
@@ -179,6 +180,7 @@ export const sequenceText = {
     plannerSearches: 'The planner is searching for its first plan.',
     best: (/** @type {string} */ cost, /** @type {string} */ letters) => `Your best here: ${cost}, ${letters}.`,
     hidden: 'Your turn: nothing of the search is shown.',
+    notNow: 'Hidden while you play.',
   },
 
   compare: {

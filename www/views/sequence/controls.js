@@ -1,4 +1,4 @@
-import { fieldOf, readValue } from '../../link.js';
+import { readValue } from '../../link.js';
 import { readList } from '../../sequence/link.js';
 import { messageOf } from '../../session.js';
 import { createControl } from '../../ui/control.js';
@@ -12,6 +12,8 @@ import { text } from '../../ui/strings.en.js';
 
 /** Parameters that are not asked for here: the seed stands in the bar below. */
 const ELSEWHERE = new Set(['seed']);
+/** What only one of the tasks has a use for. @type {Record<string, RegExp>} */
+const USELESS = { navigate: /\.(cell-size|coverage|coverage-margin)$/, cover: /\.(target-x|target-y|target-radius|clear-of-target|target-margin|geodesic)$/ };
 const LONG = 40; // characters of a list that no longer fit a line
 
 /**
@@ -61,6 +63,7 @@ export function createSequenceControls({ pane, session, open }) {
       for (const { parameter, control } of inside) {
         const [value, original] = [session.value(parameter.key), session.original(parameter.key)];
         if (JSON.stringify(value) !== JSON.stringify(original)) changed += 1;
+        control.element.hidden = USELESS[session.scenario.task]?.test(parameter.key) ?? false;
         control.show(value, original, false);
       }
       write(count, changed > 0 ? text.controls.changedCount(changed) : '');
@@ -126,6 +129,3 @@ function createWritten(parameter, session) {
     },
   };
 }
-
-/** Names of parameters by field, for messages. @param {Parameter[]} schema */
-export const labelsOf = (schema) => new Map(schema.map(({ key, label }) => [fieldOf(key), label]));

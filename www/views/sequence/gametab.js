@@ -20,7 +20,7 @@ export function createGameTab({ game, planner, playback }) {
   const pace = h('select', { id: 'sequence-pace' }, ...words.paces.map(([value, label]) => h('option', { value }, label)));
   pace.value = String(game.pace());
   pace.addEventListener('change', () => game.setPace(Number(pace.value)));
-  const clock = h('progress', { max: 1, value: 0, 'aria-label': words.clock });
+  const clock = h('progress', { class: 'sequence-clock', max: 1, value: 0, 'aria-label': words.clock });
   const said = h('p', { class: 'game-said' });
   const keys = h('div', { class: 'game-keys', role: 'group', 'aria-label': words.choose });
   const result = h('p', { class: 'game-result', id: 'sequence-game-result' });

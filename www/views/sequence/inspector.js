@@ -3,17 +3,21 @@ import { text } from '../../ui/strings.en.js';
 import { sequenceText } from '../../ui/strings.sequence.en.js';
 import { createTabs } from '../../ui/tabs.js';
 
-/** @typedef {{ element: HTMLElement, show: () => void }} Panel */
+/** @typedef {{ element: HTMLElement, show: () => void, secret?: boolean }} Panel what is secret is not shown to somebody who plays */
 
 /**
  * The right pane; writes only the tab that is open.
  *
- * @param {{ pane: HTMLElement, panels: { name: string, label: string, panel: Panel }[] }} parts
+ * @param {{ pane: HTMLElement, panels: { name: string, label: string, panel: Panel }[], playing: () => boolean }} parts `playing` is whether secrets are kept
  */
-export function createSequenceInspector({ pane, panels }) {
+export function createSequenceInspector({ pane, panels, playing }) {
+  const bodies = panels.map(({ panel }) => {
+    const note = h('p', { class: 'tab-body secondary', hidden: true }, sequenceText.game.notNow);
+    return { note, body: h('div', {}, panel.element, note) };
+  });
   const tabs = createTabs({
     label: sequenceText.pane.inspector,
-    tabs: panels.map(({ name, label, panel }) => ({ name: `sequence-${name}`, label, panel: panel.element })),
+    tabs: panels.map(({ name, label }, index) => ({ name: `sequence-${name}`, label, panel: bodies[index].body })),
     changed: () => show(),
   });
   const sheet = h('button', { type: 'button', class: 'sheet-handle', 'aria-expanded': 'false', 'aria-controls': 'sequence-sheet' }, text.inspector.open);
@@ -29,7 +33,12 @@ export function createSequenceInspector({ pane, panels }) {
   }
 
   function show() {
-    panels.find(({ name }) => `sequence-${name}` === tabs.current())?.panel.show();
+    const at = panels.findIndex(({ name }) => `sequence-${name}` === tabs.current());
+    const { panel } = panels[at];
+    const kept = panel.secret === true && playing();
+    panel.element.hidden = kept;
+    bodies[at].note.hidden = !kept;
+    if (!kept) panel.show();
   }
 
   return {

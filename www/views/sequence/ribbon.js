@@ -17,7 +17,7 @@ export function createRibbon({ planner, playback, session, announce }) {
   const strip = h('div', { class: 'ribbon', role: 'toolbar', 'aria-label': sequenceText.ribbon.label });
   const where = h('span', { class: 'ribbon-where' });
   const choice = h('select', { id: 'sequence-behaviour' });
-  const lock = button('', toggleLock, { class: 'quiet' });
+  const lock = button('', toggleLock, { title: sequenceText.ribbon.lockLong });
   lock.id = 'sequence-lock';
   const own = h('p', { class: 'ribbon-said', id: 'sequence-hand' });
   const back = button(sequenceText.ribbon.back, () => void session.byHand(null), { class: 'quiet' });
@@ -88,7 +88,7 @@ export function createRibbon({ planner, playback, session, announce }) {
         const fails = collision?.interval === interval;
         const cost = costs[interval];
         const label = sequenceText.ribbon.cell(interval + 1, name, cost ?? null, interval < locked, fails);
-        const kind = ['cell', letter === '.' ? 'idle' : '', interval < locked ? 'locked' : '', fails ? 'fails' : '', cut && !fails ? 'unreached' : ''].filter(Boolean).join(' ');
+        const kind = ['plan-cell', letter === '.' ? 'idle' : '', interval < locked ? 'locked' : '', fails ? 'fails' : '', cut && !fails ? 'unreached' : ''].filter(Boolean).join(' ');
         return h(
           'button',
           { type: 'button', class: kind, title: label, tabindex: interval === chosen ? 0 : -1, onclick: () => go(interval) },

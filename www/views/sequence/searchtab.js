@@ -25,9 +25,9 @@ export function createSearchTab({ planner, theme, onTheme }) {
   };
 }
 
-/** A list of counters, each with its meaning. */
-export function createFacts() {
-  const rows = sequenceText.search.facts.map(([name, label, help]) => {
+/** A list of counters, each with its meaning. @param {string[]} [only] those that are wanted */
+export function createFacts(only) {
+  const rows = sequenceText.search.facts.filter(([name]) => only?.includes(name) ?? true).map(([name, label, help]) => {
     const value = h('dd', { 'data-fact': name });
     return { name, value, parts: [h('dt', { title: help }, label), value] };
   });

@@ -50,13 +50,16 @@ export function createTools({ hold, session, task, finish, changed }) {
     return { name, box, label: h('label', { class: 'place-field' }, sequenceText.tools.field[name], box) };
   });
   const remove = button(sequenceText.tools.remove, () => void hold.remove());
+  const hint = h('p', { class: 'secondary small' }, sequenceText.tools.hint);
   const element = h(
     'div',
     { class: 'sequence-tools', role: 'group', 'aria-label': sequenceText.tools.label },
     h('div', { class: 'joined' }, undo, redo),
     h('div', { class: 'joined', role: 'group', 'aria-label': sequenceText.tools.drawing }, ...draws.map(({ key }) => key)),
     close,
-    h('div', { class: 'place', role: 'group', 'aria-label': sequenceText.tools.place }, h('label', { class: 'unseen', for: which.id }, sequenceText.tools.chosen), which, ...fields.map(({ label }) => label), remove),
+    h('label', { class: 'unseen', for: which.id }, sequenceText.tools.chosen),
+    which,
+    h('div', { class: 'place', role: 'group', 'aria-label': sequenceText.tools.place }, hint, ...fields.map(({ label }) => label), remove),
   );
 
   /** @param {Tool | null} next */
@@ -106,6 +109,7 @@ export function createTools({ hold, session, task, finish, changed }) {
       box.removeAttribute('aria-invalid');
       box.value = String(Math.round((name === 'heading' ? value * DEGREES : value) * 100) / 100);
     }
+    hint.hidden = place !== null;
     remove.hidden = hold.chosen?.kind !== 'obstacle';
   }
 

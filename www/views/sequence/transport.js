@@ -26,11 +26,11 @@ export function createSequenceTransport({ pane, planner, playback, session, say 
     'div',
     { class: 'buttons', role: 'group', 'aria-label': sequenceText.transport.label },
     button(sequenceText.transport.start, () => playback.seek(0), { glyph: '↺', action: 'restart' }),
-    button(sequenceText.transport.intervalBack, () => far(-1), { glyph: '⇤', action: 'far-back' }),
+    button(sequenceText.transport.intervalBack, () => far(-1), { glyph: '⇤', action: 'far-back', class: 'far' }),
     button(sequenceText.transport.back, () => step(-1), { glyph: '−0.1', action: 'back' }),
     play,
     button(sequenceText.transport.forward, () => step(1), { glyph: '+0.1', action: 'forward' }),
-    button(sequenceText.transport.intervalForward, () => far(1), { glyph: '⇥', action: 'far-forward' }),
+    button(sequenceText.transport.intervalForward, () => far(1), { glyph: '⇥', action: 'far-forward', class: 'far' }),
   );
 
   const scrub = h('input', { type: 'range', id: 'sequence-scrub', min: 0, max: 0, step: 1, value: 0, 'aria-label': sequenceText.transport.scrub });

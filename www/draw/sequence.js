@@ -205,6 +205,9 @@ function trace(context, path, robots, robot, from, to, scale) {
   }
 }
 
+/** How strongly a frontier is drawn: a large one would hide what is under it. @param {number} rows */
+export const strengthOf = (rows) => Math.max(0.2, Math.min(1, Math.sqrt(1000 / Math.max(rows, 1))));
+
 /**
  * Integrations of the search as lines of the swarm's middle: open ones end in a dot, collided ones in a cross.
  *
@@ -214,8 +217,9 @@ function trace(context, path, robots, robot, from, to, scale) {
  * @param {Float32Array} rows
  * @param {number} from first row
  * @param {number} to behind the last row
+ * @param {number} [strength] of all marks, at most 1
  */
-export function drawFrontier(context, { size, task }, theme, rows, from, to) {
+export function drawFrontier(context, { size, task }, theme, rows, from, to, strength = 1) {
   const scale = scaleOf(task, size);
   const colours = [theme.secondary, theme.secondary, theme.secondary, theme.food];
   const dark = theme.accent === theme.plan; // there the sky blue needs no outline, and lines are brighter than the ground
@@ -225,7 +229,7 @@ export function drawFrontier(context, { size, task }, theme, rows, from, to) {
     const at = row * ROW;
     const fate = rows[at + 5];
     const [x, y] = [scale.x(rows[at + 2]), scale.y(rows[at + 3])];
-    context.globalAlpha = alphas[fate];
+    context.globalAlpha = alphas[fate] * strength;
     context.strokeStyle = colours[fate];
     context.beginPath();
     context.moveTo(scale.x(rows[at]), scale.y(rows[at + 1]));
@@ -238,7 +242,7 @@ export function drawFrontier(context, { size, task }, theme, rows, from, to) {
     }
     context.stroke();
     if (fate !== FATE.open && fate !== FATE.goal) continue;
-    context.globalAlpha = 1;
+    context.globalAlpha = strength;
     context.beginPath();
     context.arc(x, y, 1.75, 0, TAU);
     context.fillStyle = fate === FATE.goal ? theme.food : theme.plan;

@@ -1,4 +1,4 @@
-import { drawCells, drawFan, drawFrontier, drawLetters, drawMap, drawPlan, drawSwarm } from '../../draw/sequence.js';
+import { drawCells, drawFan, drawFrontier, drawLetters, drawMap, drawPlan, drawSwarm, strengthOf } from '../../draw/sequence.js';
 import { h, s } from '../../ui/dom.js';
 
 /** @import { PlanTheme, Scene } from '../../draw/sequence.js' */
@@ -69,12 +69,12 @@ export function createMap({ label, scene, frontier, fan, theme, drawn = () => {}
     context.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
     context.clearRect(0, 0, size, size);
     drawCells(context, whole, colours);
-    drawStill(whole, colours);
-    lay(still);
     if (now.layers.frontier) {
       drawGhosts(whole, colours);
-      lay(ghosts);
+      lay(ghosts, strengthOf(ghostRows));
     }
+    drawStill(whole, colours);
+    lay(still);
     const rays = now.layers.fan ? fan() : null;
     if (rays) drawFan(context, whole, colours, rays);
     drawSwarm(context, whole, colours);
@@ -108,22 +108,24 @@ export function createMap({ label, scene, frontier, fan, theme, drawn = () => {}
   function paintAll(target, now) {
     const colours = theme();
     drawCells(target, now, colours);
-    drawMap(target, now, colours);
-    if (now.layers.plan) drawPlan(target, now, colours);
     if (now.layers.frontier) {
       const { rows, rowCount } = frontier();
-      drawFrontier(target, now, colours, rows, 0, rowCount);
+      drawFrontier(target, now, colours, rows, 0, rowCount, strengthOf(rowCount));
     }
+    drawMap(target, now, colours);
+    if (now.layers.plan) drawPlan(target, now, colours);
     const rays = now.layers.fan ? fan() : null;
     if (rays) drawFan(target, now, colours, rays);
     drawSwarm(target, now, colours);
     if (now.layers.plan) drawLetters(target, now, colours);
   }
 
-  /** @param {Sheet} from */
-  function lay(from) {
+  /** @param {Sheet} from @param {number} [strength] */
+  function lay(from, strength = 1) {
     context.setTransform(1, 0, 0, 1, 0, 0);
+    context.globalAlpha = strength;
     context.drawImage(from.canvas, 0, 0);
+    context.globalAlpha = 1;
     context.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
   }
 

@@ -148,10 +148,10 @@ export const cases = [
     async (open) => {
       const { page, result, until, letters } = await openPlan(open, SMALL);
       await result('optimal');
-      /** Tabs until the focus is at a place. @param {string} selector */
-      const reach = async (selector) => {
+      /** Tabs until the focus is at a place. @param {string} selector @param {string} [key] */
+      const reach = async (selector, key = 'Tab') => {
         for (let presses = 0; presses < 90; presses += 1) {
-          await page.keyboard.press('Tab');
+          await page.keyboard.press(key);
           if (await page.evaluate((wanted) => document.activeElement?.matches(wanted), selector)) return;
         }
         assert.fail(`${selector} is not reached by Tab`);
@@ -164,12 +164,10 @@ export const cases = [
       await page.keyboard.press('Shift+ArrowRight');
       await until(() => /** @type {HTMLInputElement} */ (document.querySelector('#sequence-x')).value === '-9.9' && /** @type {HTMLInputElement} */ (document.querySelector('#sequence-y')).value === '-9');
       await result('optimal');
-      await page.keyboard.press('Shift+Tab');
-      await reach('#sequence .joined button:nth-child(2)').catch(() => {});
-      await page.getByRole('button', { name: 'Box' }).focus();
+      await reach('#sequence .joined[role=group] button:nth-child(2)', 'Shift+Tab');
       await page.keyboard.press('Enter');
       await until(() => /** @type {HTMLSelectElement} */ (document.querySelector('#sequence-thing')).value === 'obstacle-0');
-      await page.locator('#sequence .stage canvas').focus();
+      await reach('#sequence .stage canvas');
       await page.keyboard.press('Delete');
       await until(() => document.querySelectorAll('#sequence .thing.obstacle').length === 0);
       await result('optimal');
@@ -181,7 +179,7 @@ export const cases = [
       assert.notEqual((await letters()).charAt(1), before.charAt(1));
       await page.keyboard.press('Control+z');
       await until((wanted) => [...document.querySelectorAll('#sequence .cell-letter')].map((cell) => (cell.textContent === '·' ? '.' : cell.textContent)).join('') === wanted, before);
-      await page.locator('#sequence .stage canvas').focus();
+      await reach('#sequence .stage canvas', 'Shift+Tab');
       await page.keyboard.press('Space');
       await until(() => document.body.dataset.state === 'running');
       await page.keyboard.press('Space');

@@ -146,8 +146,8 @@ export function createSequenceSession({ engine, planner, playback, address, sche
     /** Takes a scenario from a file. @param {string} name @param {string} json */
     async openFile(name, json) {
       try {
-        const { plan } = JSON.parse(json);
-        const scenario = plan?.scenario ?? JSON.parse(json);
+        const written = JSON.parse(json);
+        const scenario = written?.plan?.scenario ?? written;
         const complete = (await engine.request('complete', { scenario: JSON.stringify(scenario) })).scenario;
         if (complete.world !== 'sequencing') throw new Error(sequenceText.otherWorld(complete.world));
         const preset = presets.find(({ title }) => title === complete.title)?.name ?? session.preset;

@@ -47,7 +47,6 @@ export const sequenceText = {
 
   map: {
     label: 'Map with the plan. Page Up and Page Down choose a thing, arrow keys move it by a metre, with Shift by 10 centimetres, Delete removes an obstacle.',
-    b: 'Map of B',
     start: 'Start',
     target: 'Target',
     /** @param {number} seconds @param {number} robots @param {number} obstacles @param {string} behaviour */
@@ -240,9 +239,7 @@ export const sequenceText = {
   },
 
   said: {
-    result: (/** @type {string} */ verdict) => verdict,
     playing: 'Playing',
-    paused: (/** @type {number} */ seconds) => `Paused at ${seconds.toFixed(1)} seconds`,
     chosen: (/** @type {string} */ name, /** @type {number} */ x, /** @type {number} */ y) => `${name} at ${x.toFixed(1)}, ${y.toFixed(1)}`,
   },
   broken: { reload: 'Plan again', kept: 'The scenario and its link are kept. The faulty state is not used again.' },

@@ -31,6 +31,8 @@ import { createSequenceTransport } from '../views/sequence/transport.js';
 /** @import { SequenceSession } from './session.js' */
 /** @import { Task } from './types.js' */
 
+const TABLE_MS = 100; // a table is written at most ten times a second while it plays
+
 /**
  * Everything of the tab put together: what is on screen follows from scenario, search, plan and moment.
  *
@@ -217,10 +219,13 @@ export function createBoard({ element, frame, state, planner, playback, session,
     if (words !== told && !hold.shown()) announce(words);
     told = words;
   });
+  let tabulated = 0;
   playback.on(() => {
     settle();
     showMoment();
-    if (inspector.current() === 'robots') robots.show();
+    if (inspector.current() !== 'robots' || (playback.playing && performance.now() - tabulated < TABLE_MS)) return;
+    tabulated = performance.now();
+    robots.show();
   });
   state.on((name) => {
     show();

@@ -171,10 +171,16 @@ function keep(scenario, result) {
 
 const NOT_OF_THE_TASK = /^(title|about|method|weight|anchor-weight|second-weight|rounding|eager|geodesic|batch|budget|memory|prefix|jitter|jitter-runs|events|.*-margin)$/;
 
+/** @type {WeakMap<Scenario, string>} */
+const keys = new WeakMap();
+
 /** What a game is of: everything but how the planner searches. @param {Scenario} scenario */
 function keyOf(scenario) {
+  const known = keys.get(scenario);
+  if (known !== undefined) return known;
   const text = JSON.stringify(Object.entries(scenario).filter(([field]) => !NOT_OF_THE_TASK.test(field)));
   let hash = 0xcbf29ce484222325n;
   for (let at = 0; at < text.length; at += 1) hash = BigInt.asUintN(64, (hash ^ BigInt(text.charCodeAt(at))) * 0x100000001b3n);
+  keys.set(scenario, hash.toString(16));
   return hash.toString(16);
 }

@@ -20,7 +20,8 @@ help:
 
 # The browser's address is printed last; the sources of the page are served, so an edit shows at once.
 play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json www/engine/swarm_playground_bg.wasm \
-  www/trees/engine/swarm_playground_bg.wasm www/studies/engine/swarm_playground_bg.wasm www/schema.json
+  www/trees/engine/swarm_playground_bg.wasm www/studies/engine/swarm_playground_bg.wasm \
+  www/sequence/engine/swarm_playground_bg.wasm www/schema.json
 	@node scripts/play.mjs
 
 test: check
@@ -34,13 +35,14 @@ bench: check engine
 	@node scripts/bench.mjs
 
 clean:
-	rm -rf dist www/engine www/trees/engine www/studies/engine www/schema.json
+	rm -rf dist www/engine www/trees/engine www/studies/engine www/sequence/engine www/schema.json
 	cargo clean
 
 # Steps of the above, by name for scripts/test.mjs.
 tools: .tools/bin/wasm-pack
 packages: node_modules/.package-lock.json
-engine: www/engine/.optimised www/trees/engine/.optimised www/studies/engine/.optimised www/schema.json
+engine: www/engine/.optimised www/trees/engine/.optimised www/studies/engine/.optimised \
+  www/sequence/engine/.optimised www/schema.json
 
 check:
 	@sh scripts/check.sh $(MAKECMDGOALS)
@@ -62,9 +64,9 @@ node_modules/.package-lock.json: package-lock.json | check
 	@npm ci --no-audit --no-fund --loglevel error
 	@touch $@
 
-# The engine is three wasm files: the worlds, and the tree workbench and the studies, which the page loads when they are
-# opened. Each is built in one place in two ways: quickly for `make play`, and optimised for everything that is given away
-# or measured. The file .optimised says which one is there; `make play` takes either.
+# The engine is four wasm files: the worlds, and the tree workbench, the studies and behaviour sequencing, which the page
+# loads when they are opened. Each is built in one place in two ways: quickly for `make play`, and optimised for
+# everything that is given away or measured. The file .optimised says which one is there; `make play` takes either.
 #   $(call wasm_pack_build,FACE,FOLDER,OPTIONS OF WASM-PACK)
 # The worlds are in the first load, so they are built for size, but with more inlining than that implies: a tenth smaller
 # than the fastest build, and nearly as fast.
@@ -108,4 +110,14 @@ www/schema.json: www/studies/engine/swarm_playground_bg.wasm scripts/schema.mjs
 www/studies/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
 	@echo 'Building the optimised engine of the studies'
 	@$(call wasm_pack_build,studies,www/studies/engine)
+	@touch $@
+
+www/sequence/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
+	@echo 'Building the engine of behaviour sequencing'
+	@rm -f www/sequence/engine/.optimised
+	@$(call wasm_pack_build,sequence,www/sequence/engine,--no-opt)
+
+www/sequence/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
+	@echo 'Building the optimised engine of behaviour sequencing'
+	@$(call wasm_pack_build,sequence,www/sequence/engine)
 	@touch $@

@@ -167,6 +167,14 @@ fn outcomes_are_kept_apart() {
     let there = search(&there, Options::default());
     assert_eq!(there.best().map(|plan| (there.task().letters(&plan.sequence), plan.cost)), Some(("....".into(), 0.0)));
     assert_eq!(there.proven_ratio(), Some(1.0));
+    // Given more afterwards, it is the search that had as much from the start.
+    let mut on = some.clone();
+    on.extend(100_000, 0);
+    on.advance(u64::MAX);
+    assert_eq!(on.progress(), all.progress());
+    let mut ended = all.clone();
+    ended.extend(100_000, 0);
+    assert_eq!(ended.progress().outcome, Some(SearchOutcome::Infeasible));
     let mut cancelled = Search::new(&walled, Options::default(), &[]).expect("no prefix");
     cancelled.advance(7);
     cancelled.cancel();

@@ -16,6 +16,7 @@ const keys = createKeys({
   'tab-forage': () => void router.visit('forage'),
   'tab-trees': () => void router.visit('trees'),
   'tab-studies': () => void router.visit('studies'),
+  'tab-sequence': () => void router.visit('sequence'),
 });
 const router = createRouter({
   nav,
@@ -26,6 +27,12 @@ const router = createRouter({
       label: text.tabs.forage,
       element: find('#forage'),
       load: async (parts) => createForage({ ...parts, live, themes, openTree }),
+    },
+    {
+      name: 'sequence',
+      label: text.tabs.sequence,
+      element: find('#sequence'),
+      load: async (parts) => (await import('./tabs/sequence.js')).createSequence({ ...parts, element: find('#sequence'), live, themes }),
     },
     {
       name: 'trees',

@@ -7,7 +7,7 @@
  *
  * @typedef {object} Parameter one entry of the engine's schema
  * @property {string} key full name, as in links: `geese.agents`, or `seed`
- * @property {'int' | 'float' | 'bool' | 'choice' | 'text' | 'seed'} type
+ * @property {'int' | 'float' | 'bool' | 'choice' | 'text' | 'list' | 'seed'} type
  * @property {Value} default
  * @property {number} [min]
  * @property {number} [max] end of the slider

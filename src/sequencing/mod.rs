@@ -53,7 +53,7 @@ pub use dynamics::{Kernel, SPEED_LIMIT, STEP, STEPS_PER_SECOND, TURN_LIMIT, sign
 pub use map::{Bounds, Form, Obstacle};
 pub use params::{MethodKind, Params, SwitchRule, TaskKind};
 pub use parts::{Goal, Parts, TaskError};
-pub use replay::{Replay, replay};
+pub use replay::{Replay, follow, replay};
 pub use robust::{Robustness, jittered, robustness};
 pub use schema::parameters;
 pub use search::{Counts, Limit, Method, Options, Outcome as SearchOutcome, Plan, Progress, Search, Slot};

@@ -5,7 +5,8 @@ use super::{answer, error};
 use crate::random::Seed;
 use crate::scenario::{Scenario, WorldParams, schema};
 use crate::sequencing::{
-    Cells, Form, Goal, Kernel, Params, Replay, Search, Solution, Task, first_interval, jittered, replay, robustness,
+    Cells, Collision, Form, Goal, Kernel, Params, Replay, STEPS_PER_SECOND, Search, Solution, Task, Touched,
+    first_interval, follow, jittered,
 };
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::*;
@@ -41,8 +42,11 @@ pub struct Sequence {
     search: Search,
     kernel: Kernel,
     buffer: Vec<f32>,
-    marks: Vec<u8>,
+    visits: Vec<u32>,
 }
+
+/// A cell that nobody visits.
+const NEVER: u32 = u32::MAX;
 
 #[wasm_bindgen]
 impl Sequence {
@@ -60,7 +64,7 @@ impl Sequence {
         let (task, wide) = params.tasks(scenario.seed).map_err(fault)?;
         let search = params.search(&wide, true).map_err(fault)?;
         let kernel = Kernel::new(task.robots());
-        Ok(Sequence { params, seed: scenario.seed, task, search, kernel, buffer: Vec::new(), marks: Vec::new() })
+        Ok(Sequence { params, seed: scenario.seed, task, search, kernel, buffer: Vec::new(), visits: Vec::new() })
     }
 
     /// Map, obstacles, goal, behaviours, starts and times, as JSON.
@@ -95,10 +99,20 @@ impl Sequence {
         task.to_string()
     }
 
-    /// Goes on for up to `budget` integrations; returns where the search stands, as [`Sequence::progress`].
-    pub fn advance(&mut self, budget: u32) -> String {
-        self.search.advance(u64::from(budget));
-        self.progress()
+    /// Goes on for up to `budget` integrations; returns whether there is more to do.
+    pub fn advance(&mut self, budget: u32) -> bool {
+        self.search.advance(u64::from(budget)).outcome.is_none()
+    }
+
+    /// The cost of the best plan; infinite without one.
+    #[must_use]
+    pub fn cost(&self) -> f64 {
+        self.search.best().map_or(f64::INFINITY, |plan| plan.cost)
+    }
+
+    /// Lets a search that gave up or was stopped go on with so many integrations and megabytes more.
+    pub fn extend(&mut self, integrations: u32, megabytes: u32) {
+        self.search.extend(u64::from(integrations), (megabytes as usize).saturating_mul(1 << 20));
     }
 
     /// Stops the search; its best plan and bound stay.
@@ -145,28 +159,65 @@ impl Sequence {
         answer(Some(first_interval(self.search.task())))
     }
 
-    /// Carries out a sequence of letters on the task without margins; returns costs, visited cells, charges, whether the
-    /// goal is reached, and the first collision, as JSON.
+    /// Fills the buffer with the poses of a sequence carried out, every so many steps: per frame x, y and heading of
+    /// each robot; fewer than asked for after a collision, whose moment is the last. The task is the one without margins.
+    ///
+    /// Returns how many frames there are, the costs and visited cells of each interval, charges, whether the goal is
+    /// reached, and the first collision, as JSON.
+    ///
+    /// - `run`: `undefined` for the task's own start, otherwise the number of a start moved by `jitter` metres.
     ///
     /// # Errors
     /// A letter that no behaviour has.
-    pub fn replay(&mut self, letters: &str) -> Result<String, JsError> {
+    pub fn trajectory(&mut self, letters: &str, every: u32, jitter: f64, run: Option<u32>) -> Result<String, JsError> {
         let sequence = self.sequence(letters)?;
-        let done = replay(&self.task, &sequence, self.task.start(), &mut self.kernel);
-        let charges = self.search.options().costs.of(&sequence, self.task.stop(), self.task.interval());
+        let (task, buffer, visits) = (&self.task, &mut self.buffer, &mut self.visits);
+        let start = run.map_or_else(|| task.start().to_vec(), |run| jittered(task, jitter.max(0.0), self.seed, run));
+        let robots = task.robots();
+        let every = every.max(1);
+        let cells = match task.goal() {
+            Goal::Reach { .. } => 0,
+            Goal::Cover { cells, .. } => cells.columns as usize * cells.rows as usize,
+        };
+        buffer.clear();
+        visits.clear();
+        visits.resize(cells, NEVER);
+        let mut known = vec![0; task.words()];
+        let (mut frames, mut last) = (0, 0);
+        let mut take = |state: &[f64]| {
+            buffer.extend((0..robots).flat_map(|robot| [0, 1, 2].map(|part| state[part * robots + robot] as f32)));
+            frames += 1;
+        };
+        let done = follow(task, &sequence, &start, &mut self.kernel, |step, state, marks| {
+            last = step;
+            for (word, (known, &marks)) in known.iter_mut().zip(marks).enumerate() {
+                let mut new = marks & !*known;
+                *known = marks;
+                while new != 0 {
+                    if let Some(visit) = visits.get_mut(64 * word + new.trailing_zeros() as usize) {
+                        *visit = step;
+                    }
+                    new &= new - 1;
+                }
+            }
+            if step % every == 0 {
+                take(state);
+            }
+        });
+        if done.collision.is_some() && last % every != 0 {
+            take(&done.state);
+        }
+        let charges = self.search.options().costs.of(&sequence, task.stop(), task.interval());
         let Replay { costs, visited, collision, goal, .. } = &done;
-        let collision = collision.map(|(interval, collision)| {
-            json!({
-                "interval": interval,
-                "step": collision.step,
-                "robot": collision.robot,
-                "obstacle": match collision.touched {
-                    crate::sequencing::Touched::Obstacle(at) => Some(at),
-                    crate::sequencing::Touched::Edge => None,
-                },
-            })
+        let collision = collision.map(|(interval, Collision { step, robot, touched })| {
+            let obstacle = match touched {
+                Touched::Obstacle(at) => Some(at),
+                Touched::Edge => None,
+            };
+            json!({ "interval": interval, "step": step, "robot": robot, "obstacle": obstacle })
         });
         Ok(answer(Some(json!({
+            "frames": frames,
             "costs": costs,
             "charges": charges,
             "total": done.cost() + charges,
@@ -177,46 +228,38 @@ impl Sequence {
         }))))
     }
 
-    /// Fills the buffer with the poses of a sequence carried out, every so many steps: per frame x, y and heading of
-    /// each robot. Returns how many frames there are; fewer than asked for after a collision, whose moment is the last.
-    ///
-    /// - `run`: `undefined` for the task's own start, otherwise the number of a start moved by `jitter` metres.
+    /// Replays a sequence from starts moved by `jitter` metres, so many from number `first` on. Returns a JSON list of
+    /// whether each stayed feasible, its path length, where its first collision was, and how many frames it has in the
+    /// buffer: x and y of the swarm's middle every second, one replay after the other.
     ///
     /// # Errors
     /// A letter that no behaviour has.
-    pub fn trajectory(&mut self, letters: &str, every: u32, jitter: f64, run: Option<u32>) -> Result<u32, JsError> {
+    pub fn fan(&mut self, letters: &str, jitter: f64, first: u32, count: u32) -> Result<String, JsError> {
         let sequence = self.sequence(letters)?;
         let (task, buffer) = (&self.task, &mut self.buffer);
-        let mut state =
-            run.map_or_else(|| task.start().to_vec(), |run| jittered(task, jitter.max(0.0), self.seed, run));
-        let mut marks = vec![0; task.words()];
-        task.mark_start(&state, &mut marks);
         let robots = task.robots();
-        let every = every.max(1);
         buffer.clear();
-        let mut frames = 0;
-        let mut take = |state: &[f64]| {
-            buffer.extend((0..robots).flat_map(|robot| [0, 1, 2].map(|part| state[part * robots + robot] as f32)));
-            frames += 1;
-        };
-        take(&state);
-        let steps = sequence.iter().flat_map(|&behaviour| std::iter::repeat_n(behaviour, task.steps() as usize));
-        for (step, behaviour) in (1..).zip(steps) {
-            let is_stop = task.stop() == Some(behaviour);
-            let touched = !is_stop && task.step(behaviour, &mut state, &mut marks, &mut self.kernel).is_err();
-            if touched || step % every == 0 {
-                take(&state);
-            }
-            if touched {
-                break;
-            }
+        let mut found = Vec::new();
+        for run in first..first.saturating_add(count) {
+            let start = jittered(task, jitter.max(0.0), self.seed, run);
+            let blocked = !task.is_free(&start);
+            let mut frames = 0;
+            let done = follow(task, &sequence, &start, &mut self.kernel, |step, state, _| {
+                if step % STEPS_PER_SECOND == 0 {
+                    let middle = |axis: &[f64]| (axis.iter().sum::<f64>() / robots as f64) as f32;
+                    buffer.extend([middle(&state[..robots]), middle(&state[robots..2 * robots])]);
+                    frames += 1;
+                }
+            });
+            let place = |robot: u32| [done.state[robot as usize], done.state[robots + robot as usize]];
+            found.push(json!({
+                "feasible": !blocked && done.is_feasible(),
+                "cost": done.cost(),
+                "frames": frames,
+                "hit": done.collision.map(|(_, Collision { robot, .. })| place(robot)),
+            }));
         }
-        let cells = match task.goal() {
-            Goal::Reach { .. } => 0,
-            Goal::Cover { cells, .. } => cells.columns as usize * cells.rows as usize,
-        };
-        self.marks = (0..cells).map(|cell| u8::from(Cells::is_marked(&marks, cell))).collect();
-        Ok(frames)
+        Ok(Value::from(found).to_string())
     }
 
     /// Where the poses stand in memory.
@@ -231,10 +274,11 @@ impl Sequence {
         self.buffer.len()
     }
 
-    /// The cells visited at the end of the last trajectory, a byte each, row by row from the lower left.
+    /// The step after which each cell counts as visited in the last trajectory, row by row from the lower left: 0 at the
+    /// start, 4294967295 never.
     #[must_use]
-    pub fn visited(&self) -> Vec<u8> {
-        self.marks.clone()
+    pub fn visits(&self) -> Vec<u32> {
+        self.visits.clone()
     }
 
     /// Where the frontier's rows stand in memory, see [`Search::drawn`].
@@ -247,21 +291,6 @@ impl Sequence {
     #[must_use]
     pub fn frontier_length(&self) -> usize {
         self.search.drawn().len()
-    }
-
-    /// Replays a sequence from starts moved by `jitter` metres; returns how many stayed feasible, as JSON.
-    ///
-    /// # Errors
-    /// A letter that no behaviour has.
-    pub fn robustness(&self, letters: &str, jitter: f64, runs: u32) -> Result<String, JsError> {
-        let sequence = self.sequence(letters)?;
-        let found = robustness(&self.task, &sequence, jitter.max(0.0), runs, self.seed);
-        Ok(answer(Some(json!({
-            "runs": found.runs,
-            "feasible": found.feasible,
-            "blocked": found.blocked,
-            "mean_cost": found.mean_cost,
-        }))))
     }
 }
 

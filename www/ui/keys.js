@@ -7,7 +7,7 @@ import { remember, recall } from './storage.js';
  * @property {string[]} keys values of `KeyboardEvent.key`; empty for keys that a part of the page handles itself
  * @property {string} shown
  * @property {string} action
- * @property {string} [tab] the only tab that has it; for keys that a part of the page handles itself
+ * @property {string} [tab] the only tabs that have it; for keys that a part of the page handles itself
  */
 
 /** @type {KeyRow[]} a tab's list holds the rows whose action it has, or that name it */
@@ -26,16 +26,19 @@ export const KEYS = [
   { keys: ['/'], shown: '/', action: 'search' },
   { keys: ['Escape'], shown: 'Escape', action: 'clear' },
   { keys: ['1'], shown: '1', action: 'tab-forage' },
-  { keys: ['2'], shown: '2', action: 'tab-trees' },
-  { keys: ['3'], shown: '3', action: 'tab-studies' },
+  { keys: ['2'], shown: '2', action: 'tab-sequence' },
+  { keys: ['3'], shown: '3', action: 'tab-trees' },
+  { keys: ['4'], shown: '4', action: 'tab-studies' },
   { keys: ['?'], shown: '?', action: 'keys' },
   { keys: [], shown: text.keys.arrows, action: 'world-arrows', tab: 'forage' },
   { keys: [], shown: 'Home, End', action: 'world-ends', tab: 'forage' },
-  { keys: [], shown: text.keys.arrows, action: 'tree-arrows' },
+  { keys: [], shown: text.keys.arrows, action: 'map-arrows', tab: 'sequence' },
+  { keys: [], shown: 'Page Up, Page Down', action: 'map-pages', tab: 'sequence' },
+  { keys: [], shown: text.keys.arrows, action: 'tree-arrows', tab: 'forage trees' },
   { keys: [], shown: text.keys.arrows, action: 'codon-arrows', tab: 'forage' },
   { keys: [], shown: 'S, F, R, K', action: 'tree-answers', tab: 'trees' },
-  { keys: [], shown: text.keys.undo, action: 'undo', tab: 'trees' },
-  { keys: [], shown: text.keys.redo, action: 'redo', tab: 'trees' },
+  { keys: [], shown: text.keys.undo, action: 'undo', tab: 'trees sequence' },
+  { keys: [], shown: text.keys.redo, action: 'redo', tab: 'trees sequence' },
 ];
 
 const FIELDS = 'input:not([type=range]):not([type=checkbox]), textarea, select, [role=spinbutton], [role=tab]';
@@ -96,7 +99,7 @@ export function createKeys(everywhere) {
      */
     use(name, tab) {
       open = { name, actions: tab?.actions ?? {}, regions: tab?.regions ?? [] };
-      dialog.list(KEYS.filter(({ keys, action, tab: only }) => (keys.length > 0 ? actionOf(action) : !only || only === name)));
+      dialog.list(KEYS.filter(({ keys, action, tab: only }) => (keys.length > 0 ? actionOf(action) : !only || only.split(' ').includes(name))));
       mark();
     },
   };

@@ -201,6 +201,21 @@ impl Search {
         self.outcome.get_or_insert(Outcome::Cancelled);
     }
 
+    /// Lets a search that gave up at its integrations or its memory, or was stopped, go on with more; it is then the search
+    /// that would have had as much from the start. One that ended otherwise stays ended.
+    ///
+    /// - `integrations`, `bytes`: what is added to the limits.
+    pub fn extend(&mut self, integrations: u64, bytes: usize) {
+        match self.outcome {
+            Some(Outcome::GaveUp(Limit::Integrations | Limit::Memory) | Outcome::Cancelled) => {
+                self.options.integrations = self.options.integrations.saturating_add(integrations);
+                self.options.bytes = self.options.bytes.saturating_add(bytes);
+                self.outcome = None;
+            }
+            Some(Outcome::GaveUp(Limit::Nodes | Limit::Rounding) | Outcome::Solved | Outcome::Infeasible) | None => {}
+        }
+    }
+
     /// Takes entries from the queue until a batch is full, or ends the search.
     fn collect(&mut self) {
         (self.filled, self.done) = (0, 0);

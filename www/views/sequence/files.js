@@ -1,0 +1,39 @@
+import { h } from '../../ui/dom.js';
+import { filesText } from '../../ui/strings.files.en.js';
+
+/** @import { SequenceSession } from '../../sequence/session.js' */
+
+const LARGEST = 10_000_000;
+
+/**
+ * Scenarios and plans as files: chosen, or dropped on the page.
+ *
+ * @param {{ element: HTMLElement, session: SequenceSession, say: (message: string, kind?: 'note' | 'problem') => void }} parts `element` is the tab
+ */
+export function createSequenceFiles({ element, session, say }) {
+  const input = h('input', { type: 'file', accept: '.json,application/json', hidden: true, id: 'sequence-file', tabindex: -1 });
+  element.append(input);
+  input.addEventListener('change', () => {
+    const file = input.files?.[0];
+    input.value = ''; // the same file may be chosen again
+    if (file) void read(file);
+  });
+  const holds = (/** @type {DragEvent} */ event) => !element.hidden && (event.dataTransfer?.types.includes('Files') ?? false);
+  document.addEventListener('dragover', (event) => {
+    if (holds(event)) event.preventDefault();
+  });
+  document.addEventListener('drop', (event) => {
+    const file = event.dataTransfer?.files[0];
+    if (!holds(event) || !file) return;
+    event.preventDefault();
+    void read(file);
+  });
+
+  /** @param {File} file */
+  async function read(file) {
+    if (file.size > LARGEST) say(filesText.tooLarge(file.name, file.size), 'problem');
+    else await session.openFile(file.name, await file.text());
+  }
+
+  return { choose: () => input.click() };
+}

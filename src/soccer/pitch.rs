@@ -3,6 +3,7 @@
 //! Source: soccer facts, section 2, whose numbers are the league's. The pitch is the same after a mirror in either axis.
 
 use super::view::{Ball, Pose};
+use serde::Serialize;
 use std::f64::consts::PI;
 
 /// The lines of the left and the right goal are at -x and x.
@@ -41,7 +42,8 @@ pub const ARC_HALF_ANGLE: f64 = 0.9272;
 pub const LINE_WIDTH: f64 = 0.006;
 
 /// Half of the pitch, and the team that defends the goal there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Side {
     /// x below 0.
     Left,
@@ -147,7 +149,8 @@ pub fn goal_of([x, y]: [f64; 2]) -> Option<Side> {
 }
 
 /// A quarter of the pitch, numbered as the league does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(into = "u8")]
 pub enum Quadrant {
     /// x > 0, y > 0.
     First = 1,
@@ -157,6 +160,12 @@ pub enum Quadrant {
     Third = 3,
     /// x > 0, y <= 0.
     Fourth = 4,
+}
+
+impl From<Quadrant> for u8 {
+    fn from(quadrant: Quadrant) -> Self {
+        quadrant.number()
+    }
 }
 
 impl Quadrant {

@@ -34,6 +34,11 @@ pub const BALL: usize = ROBOTS;
 /// The walls' place among the bodies.
 pub const WALL: usize = ROBOTS + 1;
 
+/// Rounds of taking deep overlaps away, in a substep.
+const PARTINGS: u32 = 4;
+/// What counts as a deep overlap, metres.
+const DEEP: f64 = 0.001;
+
 /// An overlap of two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap {
@@ -56,7 +61,10 @@ pub struct Physics {
     /// Bit i: robot i touched the ball in the last frame.
     on_ball: u8,
     touches: Vec<Touch>,
+    /// The contacts of the last substep.
     contacts: Vec<Contact>,
+    /// Room to work in.
+    before: Vec<Contact>,
 }
 
 impl Physics {
@@ -77,6 +85,7 @@ impl Physics {
             on_ball: 0,
             touches: Vec::new(),
             contacts: Vec::new(),
+            before: Vec::new(),
         }
     }
 
@@ -88,6 +97,7 @@ impl Physics {
         if let Some(body) = self.bodies[..ROBOTS].get_mut(robot) {
             let (sin, cos) = libm::sincos(heading);
             *body = Body { at, front: [cos, sin], ..Body::robot() };
+            self.contacts.clear();
         }
     }
 
@@ -99,6 +109,7 @@ impl Physics {
     pub fn put_ball(&mut self, at: [f64; 2], velocity: [f64; 2], roll: [f64; 2]) {
         self.bodies[BALL] = Body { at, velocity, ..Body::ball() };
         self.roll = roll;
+        self.contacts.clear();
     }
 
     /// One control frame, 1/60 s.
@@ -125,12 +136,27 @@ impl Physics {
         self.touches.clear();
         touch::find(&self.bodies, &mut self.touches);
         if self.touches.is_empty() {
+            self.contacts.clear();
             return;
         }
-        solve::velocities(&mut self.bodies, &self.touches, &mut self.contacts, &mut self.roll);
-        solve::places(&mut self.bodies, &self.touches);
+        let Self { bodies, touches, contacts, before, roll, .. } = self;
+        solve::velocities(bodies, touches, contacts, before, roll);
         for touch in self.touches.iter().filter(|touch| touch.b == BALL) {
             self.on_ball |= 1 << touch.a;
+        }
+        self.part();
+    }
+
+    /// Takes overlaps away. What was deep, such as a corner of a spinning robot, touches at other points once it has
+    /// moved, so it is looked at again.
+    fn part(&mut self) {
+        for _ in 0..PARTINGS {
+            solve::places(&mut self.bodies, &self.touches);
+            if self.touches.iter().all(|touch| touch.depth < DEEP) {
+                return;
+            }
+            self.touches.clear();
+            touch::find(&self.bodies, &mut self.touches);
         }
     }
 
@@ -185,5 +211,6 @@ impl Physics {
         }
         self.roll.iter().for_each(|&real| hash.f64(real));
         hash.u32(u32::from(self.on_ball));
+        self.contacts.iter().for_each(|contact| contact.absorb(hash));
     }
 }

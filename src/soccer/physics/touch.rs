@@ -28,6 +28,20 @@ pub struct Touch {
     pub from_b: [f64; 2],
     /// How far they overlap, metres.
     pub depth: f64,
+    /// Which corner, side or wall it is: the same as long as the bodies touch in the same way, and rising in the order in
+    /// which touches are found.
+    pub key: u32,
+}
+
+/// Keys of a pair of bodies begin with this.
+fn pair(a: usize, b: usize) -> u32 {
+    let order = match (a, b) {
+        (BALL, _) => 96,
+        (robot, BALL) => 80 + robot,
+        (robot, WALL) => 64 + robot,
+        (a, b) => 8 * a + b,
+    };
+    (order as u32) << 8
 }
 
 /// Finds every overlap, in a fixed order: robots with robots, robots with walls, the ball with robots, the ball with
@@ -75,9 +89,8 @@ fn robots(bodies: &[Body; WALL + 1], a: usize, b: usize, touches: &mut Vec<Touch
     let [at_a, at_b] = [bodies[a].at, bodies[b].at];
     let [front_a, front_b] = [bodies[a].front, bodies[b].front];
     let between = [at_b[0] - at_a[0], at_b[1] - at_a[1]];
-    let cos = dot(front_a, front_b);
-    let sin = front_a[0] * front_b[1] - front_a[1] * front_b[0];
-    let extent = HALF * (1.0 + cos.abs() + sin.abs());
+    let turned = [dot(front_a, front_b), front_a[0] * front_b[1] - front_a[1] * front_b[0]];
+    let extent = HALF * (1.0 + turned[0].abs() + turned[1].abs());
     let left = |front: [f64; 2]| [-front[1], front[0]];
     let axes = [front_a, left(front_a), front_b, left(front_b)];
     let mut best = 0;
@@ -96,9 +109,9 @@ fn robots(bodies: &[Body; WALL + 1], a: usize, b: usize, touches: &mut Vec<Touch
     // The robot whose face it is, and the one whose edge goes into that face.
     let of_a = best < 2;
     let (owner, other, towards) = if of_a { (at_a, at_b, between) } else { (at_b, at_a, [-between[0], -between[1]]) };
-    let axis = axes[best];
-    let sign = if dot(towards, axis) < 0.0 { -1.0 } else { 1.0 };
-    let normal = [axis[0] * sign, axis[1] * sign];
+    let chosen = axes[best];
+    let sign = if dot(towards, chosen) < 0.0 { -1.0 } else { 1.0 };
+    let normal = [chosen[0] * sign, chosen[1] * sign];
     let along = left(normal);
     let edge_axes = if of_a { [axes[2], axes[3]] } else { [axes[0], axes[1]] };
     let facing = [dot(normal, edge_axes[0]), dot(normal, edge_axes[1])];
@@ -107,12 +120,12 @@ fn robots(bodies: &[Body; WALL + 1], a: usize, b: usize, touches: &mut Vec<Touch
     } else {
         (edge_axes[1], edge_axes[0], facing[1])
     };
-    let sign = if facing > 0.0 { -HALF } else { HALF };
-    let middle = [other[0] - owner[0] + out[0] * sign, other[1] - owner[1] + out[1] * sign];
+    let half = if facing > 0.0 { -HALF } else { HALF };
+    let middle = [other[0] - owner[0] + out[0] * half, other[1] - owner[1] + out[1] * half];
     // The edge's ends in the face's frame: across it and along it.
     let (across, across_step) = (dot(middle, normal), dot(side, normal) * HALF);
     let (place, place_step) = (dot(middle, along), dot(side, along) * HALF);
-    for end in [-1.0, 1.0] {
+    for (number, end) in [-1.0, 1.0].into_iter().enumerate() {
         let (mut deep, mut place) = (across + end * across_step, place + end * place_step);
         if place.abs() > HALF && place_step != 0.0 {
             // Cut where the edge leaves the face.
@@ -122,7 +135,7 @@ fn robots(bodies: &[Body; WALL + 1], a: usize, b: usize, touches: &mut Vec<Touch
         }
         if deep < HALF {
             // Half way between the two surfaces.
-            let out = (deep + HALF) / 2.0;
+            let out = (deep + HALF) * 0.5;
             let point = [owner[0] + normal[0] * out + along[0] * place, owner[1] + normal[1] * out + along[1] * place];
             touches.push(Touch {
                 a,
@@ -133,6 +146,7 @@ fn robots(bodies: &[Body; WALL + 1], a: usize, b: usize, touches: &mut Vec<Touch
                 // Of two that meet corner to corner the cut may lie beyond the edge's end, where the edge's line is deeper
                 // than the robot.
                 depth: (HALF - deep).min(extent - farthest),
+                key: pair(a, b) + (2 * best + number) as u32,
             });
         }
     }
@@ -141,53 +155,58 @@ fn robots(bodies: &[Body; WALL + 1], a: usize, b: usize, touches: &mut Vec<Touch
 /// A robot's corners against the walls, and the goal posts against its sides.
 fn robot_walls(robot: usize, body: &Body, touches: &mut Vec<Touch>) {
     let [c, s] = body.front;
-    let mut touch = |from: [f64; 2], normal: [f64; 2], depth: f64| {
-        touches.push(Touch { a: robot, b: WALL, normal, from_a: from, from_b: [0.0; 2], depth });
+    let mut touch = |from: [f64; 2], normal: [f64; 2], depth: f64, number: u32| {
+        let key = pair(robot, WALL) + number;
+        touches.push(Touch { a: robot, b: WALL, normal, from_a: from, from_b: [0.0; 2], depth, key });
     };
-    for [ahead, left] in [[HALF, HALF], [-HALF, HALF], [-HALF, -HALF], [HALF, -HALF]] {
+    let corners = [[HALF, HALF], [-HALF, HALF], [-HALF, -HALF], [HALF, -HALF]];
+    for (number, [ahead, left]) in (0..).zip(corners) {
         let from = [c * ahead - s * left, s * ahead + c * left];
         let corner = [body.at[0] + from[0], body.at[1] + from[1]];
-        for_walls(corner, 0.0, |normal, depth| touch(from, normal, depth));
+        for_walls(corner, 0.0, |normal, depth, wall| touch(from, normal, depth, WALLS * number + wall));
     }
     if body.at[0].abs() > HALF_LENGTH - REACH && body.at[1].abs() < GOAL_HALF + REACH {
         let x = if body.at[0] > 0.0 { HALF_LENGTH } else { -HALF_LENGTH };
-        for y in [-GOAL_HALF, GOAL_HALF] {
+        for (number, y) in (4 * WALLS..).zip([-GOAL_HALF, GOAL_HALF]) {
             let from = [x - body.at[0], y - body.at[1]];
             let (ahead, left) = (dot(from, [c, s]), dot(from, [-s, c]));
             let depth = HALF - ahead.abs().max(left.abs());
             if depth > 0.0 {
                 let axis = if ahead.abs() > left.abs() { [c, s] } else { [-s, c] };
                 let sign = if dot(from, axis) < 0.0 { -1.0 } else { 1.0 };
-                touch(from, [axis[0] * sign, axis[1] * sign], depth);
+                touch(from, [axis[0] * sign, axis[1] * sign], depth, number);
             }
         }
     }
 }
 
-/// Calls `touch` with the outward normal and the depth for each flat wall that a disc overlaps.
+/// Kinds of flat walls in a quarter of the pitch: side, corner, end, side of the goal, back of the goal.
+const WALLS: u32 = 5;
+
+/// Calls `touch` with the outward normal, the depth and the kind of each flat wall that a disc overlaps.
 ///
 /// - `radius`: of the disc; 0 for a point.
-fn for_walls([x, y]: [f64; 2], radius: f64, mut touch: impl FnMut([f64; 2], f64)) {
+fn for_walls([x, y]: [f64; 2], radius: f64, mut touch: impl FnMut([f64; 2], f64, u32)) {
     let (sign_x, sign_y) = (if x < 0.0 { -1.0 } else { 1.0 }, if y < 0.0 { -1.0 } else { 1.0 });
     let (x, y) = (x.abs(), y.abs());
-    let mut wall = |normal: [f64; 2], depth: f64| {
+    let mut wall = |kind: u32, normal: [f64; 2], depth: f64| {
         if depth > 0.0 {
-            touch([normal[0] * sign_x, normal[1] * sign_y], depth);
+            touch([normal[0] * sign_x, normal[1] * sign_y], depth, kind);
         }
     };
-    wall([0.0, 1.0], y + radius - HALF_WIDTH);
-    wall([ROOT_HALF, ROOT_HALF], (x + y - CORNER) * ROOT_HALF + radius);
+    wall(0, [0.0, 1.0], y + radius - HALF_WIDTH);
+    wall(1, [ROOT_HALF, ROOT_HALF], (x + y - CORNER) * ROOT_HALF + radius);
     let (beyond_line, beside_mouth) = (x + radius - HALF_LENGTH, y + radius - GOAL_HALF);
     if x <= HALF_LENGTH {
         // On the pitch: the end wall, where it is. What is before the mouth meets no wall but the posts.
         if y > GOAL_HALF {
-            wall([1.0, 0.0], beyond_line);
+            wall(2, [1.0, 0.0], beyond_line);
         }
     } else if y > GOAL_HALF && beyond_line < beside_mouth {
-        wall([1.0, 0.0], beyond_line);
+        wall(2, [1.0, 0.0], beyond_line);
     } else {
-        wall([0.0, 1.0], beside_mouth);
-        wall([1.0, 0.0], x + radius - GOAL_BACK);
+        wall(3, [0.0, 1.0], beside_mouth);
+        wall(4, [1.0, 0.0], x + radius - GOAL_BACK);
     }
 }
 
@@ -223,23 +242,25 @@ fn ball_robot(robot: usize, body: &Body, between: [f64; 2], touches: &mut Vec<To
         from_a: [c * point_ahead - s * point_left, s * point_ahead + c * point_left],
         from_b: [-normal[0] * BALL_RADIUS, -normal[1] * BALL_RADIUS],
         depth,
+        key: pair(robot, BALL),
     });
 }
 
 /// The ball against the walls and the goal posts.
 fn ball_walls([x, y]: [f64; 2], touches: &mut Vec<Touch>) {
-    let mut touch = |normal: [f64; 2], depth: f64| {
+    let mut touch = |normal: [f64; 2], depth: f64, number: u32| {
         let from_a = [normal[0] * BALL_RADIUS, normal[1] * BALL_RADIUS];
-        touches.push(Touch { a: BALL, b: WALL, normal, from_a, from_b: [0.0; 2], depth });
+        let key = pair(BALL, WALL) + number;
+        touches.push(Touch { a: BALL, b: WALL, normal, from_a, from_b: [0.0; 2], depth, key });
     };
     for_walls([x, y], BALL_RADIUS, &mut touch);
     if x.abs() <= HALF_LENGTH && y.abs() <= GOAL_HALF {
-        for post in [-GOAL_HALF, GOAL_HALF] {
+        for (number, post) in (WALLS..).zip([-GOAL_HALF, GOAL_HALF]) {
             let to = [if x < 0.0 { -HALF_LENGTH } else { HALF_LENGTH } - x, post - y];
             let square = dot(to, to);
             if square < BALL_RADIUS * BALL_RADIUS && square > 0.0 {
                 let distance = square.sqrt();
-                touch([to[0] / distance, to[1] / distance], BALL_RADIUS - distance);
+                touch([to[0] / distance, to[1] / distance], BALL_RADIUS - distance, number);
             }
         }
     }

@@ -57,6 +57,14 @@ pub enum Purpose {
     Luck = 16,
     /// How starts are moved to see whether a plan survives it; one stream per replay.
     Jitter = 20,
+    /// Who has the first kick-off of a match, and on which side a keeper takes a goal kick.
+    Coin = 32,
+    /// What the camera sees of one robot or the ball, and what it misses.
+    Vision = 33,
+    /// How strong one robot's motors are, and which of its commands are lost.
+    Wheels = 34,
+    /// Where one team aims its penalties.
+    Penalty = 35,
 }
 
 /// The stream of one purpose, and of one agent where agents draw (`index` 0 otherwise).
@@ -89,12 +97,19 @@ pub fn chance(rng: &mut Stream, probability: f64) -> bool {
 ///
 /// The second value of each pair is dropped, so a stream's state says all about its future.
 pub fn standard_normal(rng: &mut Stream) -> f64 {
+    let [first, _] = normal_pair(rng);
+    first
+}
+
+/// Two independent draws from the standard normal distribution, for little more than the cost of one.
+pub fn normal_pair(rng: &mut Stream) -> [f64; 2] {
     loop {
         let u = rng.random::<f64>() * 2.0 - 1.0;
         let v = rng.random::<f64>() * 2.0 - 1.0;
         let s = u * u + v * v;
         if s > 0.0 && s < 1.0 {
-            return u * (-2.0 * libm::log(s) / s).sqrt();
+            let scale = (-2.0 * libm::log(s) / s).sqrt();
+            return [u * scale, v * scale];
         }
     }
 }

@@ -1,0 +1,99 @@
+//! Laws of the physics under any commands: nothing goes through anything, and nothing explodes.
+#![cfg(not(target_arch = "wasm32"))]
+
+use proptest::prelude::*;
+use swarm_playground::soccer::physics::{BALL, Drive, Physics, ROBOTS};
+use swarm_playground::soccer::view::Wheels;
+
+/// Where `side` robots of each team press toward: a place and how long they do it.
+fn targets() -> impl Strategy<Value = Vec<([f64; 2], bool, u32)>> {
+    prop::collection::vec((prop::array::uniform2(-0.8..0.8_f64), any::<bool>(), 10..120_u32), 8..24)
+}
+
+fn check(physics: &Physics, frame: u32) -> Result<(), TestCaseError> {
+    for overlap in physics.overlaps() {
+        prop_assert!(overlap.depth <= 0.002, "frame {frame}: {overlap:?}");
+    }
+    for body in 0..=BALL {
+        let [x, y] = physics.at(body);
+        prop_assert!(x.abs() < 0.85 && y.abs() < 0.65, "frame {frame}: body {body} is at {x}, {y}");
+        let [vx, vy] = physics.velocity(body);
+        let most = if body == BALL { 4.0 } else { 2.5 };
+        prop_assert!(vx * vx + vy * vy <= most * most, "frame {frame}: body {body} moves at {vx}, {vy}");
+    }
+    Ok(())
+}
+
+fn start(substeps: u32) -> Physics {
+    let mut physics = Physics::new(substeps);
+    for robot in 0..ROBOTS {
+        physics.put_robot(robot, [-0.5 + 0.2 * robot as f64, 0.1], 0.3 * robot as f64);
+    }
+    physics.put_ball([0.0, -0.1], [0.0; 2], [0.0; 2]);
+    physics
+}
+
+/// Full speed toward a place: forward or backward, whichever is nearer, or a spin.
+fn toward(physics: &Physics, robot: usize, to: [f64; 2], spin: bool) -> Drive {
+    if spin && robot % 3 == 0 {
+        return Drive::of(Wheels { left: -46.0, right: 46.0 }, 1.0);
+    }
+    let at = physics.at(robot);
+    let heading = physics.heading(robot);
+    let (sin, cos) = libm::sincos(heading);
+    let (ahead, left) = ((to[0] - at[0]) * cos + (to[1] - at[1]) * sin, (to[1] - at[1]) * cos - (to[0] - at[0]) * sin);
+    let turn = 20.0 * left.clamp(-1.0, 1.0);
+    let speed = if ahead < 0.0 { -46.0 } else { 46.0 };
+    Drive::of(Wheels { left: speed - turn, right: speed + turn }, 1.0)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn pile_ups_at_one_place_stay_whole(
+        targets in targets(),
+        substeps in prop::sample::select(vec![2_u32, 4, 8]),
+    ) {
+        let mut physics = start(substeps);
+        let mut frame = 0;
+        for (to, spin, frames) in targets {
+            for _ in 0..frames {
+                let drives = std::array::from_fn(|robot| toward(&physics, robot, to, spin));
+                physics.step(&drives);
+                frame += 1;
+                check(&physics, frame)?;
+            }
+        }
+    }
+
+    #[test]
+    fn all_robots_on_the_ball_stay_whole(seconds in 20..40_u32, turn in -40.0..40.0_f64) {
+        let mut physics = start(4);
+        for frame in 0..seconds * 60 {
+            let ball = physics.at(BALL);
+            let mut drives: [Drive; ROBOTS] = std::array::from_fn(|robot| toward(&physics, robot, ball, false));
+            drives[1].turn += turn;
+            physics.step(&drives);
+            check(&physics, frame)?;
+        }
+    }
+
+    #[test]
+    fn random_commands_keep_everything_on_the_pitch(
+        commands in prop::collection::vec((prop::array::uniform12(-60.0..60.0_f64), 1..40_u32), 20..60),
+    ) {
+        let mut physics = start(4);
+        let mut frame = 0;
+        for (wheels, frames) in commands {
+            let drives = std::array::from_fn(|robot| {
+                Drive::of(Wheels { left: wheels[2 * robot], right: wheels[2 * robot + 1] }, 1.0)
+            });
+            for _ in 0..frames {
+                physics.step(&drives);
+                frame += 1;
+                check(&physics, frame)?;
+            }
+        }
+    }
+}

@@ -22,6 +22,7 @@
 //! - [`bt`]: behaviour trees. [`evolution`]: grammatical evolution. Neither knows a world.
 //! - [`geese`]: the foraging swarm that evolves its behaviour trees. [`workbench`]: any tree, tick by tick.
 //! - [`sequencing`]: a swarm of unicycles, and the search for the cheapest sequence of its behaviours.
+//! - [`soccer`]: robot soccer, three against three, under two kinds of coach.
 //! - [`scenario`]: the one JSON description of a run, and runs that can be sought through.
 //! - [`study`]: many runs of a scenario and its variants, their results and the report on them.
 //! - `web`: the wasm face. The command line is `src/main.rs`.
@@ -36,6 +37,7 @@ pub mod place;
 pub mod random;
 pub mod scenario;
 pub mod sequencing;
+pub mod soccer;
 pub mod study;
 pub mod verdict;
 #[cfg(target_arch = "wasm32")]

@@ -21,7 +21,7 @@ fn floor(module: &str) -> u32 {
     match module {
         "random" | "fingerprint" | "parameter" | "nearest" | "place" | "verdict" => 0,
         "bt" | "evolution" => 1,
-        "geese" | "workbench" | "sequencing" => 2,
+        "geese" | "workbench" | "sequencing" | "soccer" => 2,
         "scenario" => 3,
         "study" => 4,
         "web" | "main" | "cli" => 5,

@@ -1,0 +1,4 @@
+//! Robot soccer, three against three.
+
+pub mod team;
+pub mod view;

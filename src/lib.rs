@@ -22,7 +22,7 @@
 //! - [`bt`]: behaviour trees. [`evolution`]: grammatical evolution. Neither knows a world.
 //! - [`geese`]: the foraging swarm that evolves its behaviour trees. [`workbench`]: any tree, tick by tick.
 //! - [`sequencing`]: a swarm of unicycles, and the search for the cheapest sequence of its behaviours.
-//! - [`soccer`]: three robots against three on a pitch with walls, and the referee.
+//! - [`soccer`]: three robots against three on a pitch with walls, the referee, and teams under two kinds of coach.
 //! - [`scenario`]: the one JSON description of a run, and runs that can be sought through.
 //! - [`study`]: many runs of a scenario and its variants, their results and the report on them.
 //! - `web`: the wasm face. The command line is `src/main.rs`.

@@ -86,6 +86,35 @@ impl Memory {
         self.entries[entry.0 as usize].write(value, None)
     }
 
+    /// The entry that `name` means on the main tree's board, or with `@` on the global one; it is made when there is none.
+    /// With it a host reads and writes without looking for the name again.
+    pub fn entry_of(&mut self, name: &str) -> EntryId {
+        self.resolve(MAIN, name)
+    }
+
+    /// The state of an entry.
+    #[must_use]
+    pub fn state(&self, entry: EntryId) -> &Entry {
+        self.entry(entry)
+    }
+
+    /// Writes an entry for the host.
+    ///
+    /// # Errors
+    /// The value does not fit the entry's type.
+    pub fn write(&mut self, entry: EntryId, value: Value) -> Result<(), String> {
+        self.entry_mut(entry).write(value, None)
+    }
+
+    /// Gives an entry a value of any type, for the host.
+    pub fn replace(&mut self, entry: EntryId, value: Value) {
+        let entry = self.entry_mut(entry);
+        entry.value = None;
+        // Without a value, an entry takes every type.
+        let written = entry.write(value, None);
+        debug_assert!(written.is_ok(), "an empty entry takes every value");
+    }
+
     /// Every entry with its board, name and state.
     pub fn entries(&self) -> impl Iterator<Item = (u32, &str, &Entry)> {
         let known = self.boards.iter().flat_map(|boards| boards.entries());
@@ -218,6 +247,14 @@ impl Ports<'_> {
     #[must_use]
     pub fn get(&self, port: &str) -> Option<&Value> {
         self.memory.read(self.source(port)?)
+    }
+
+    /// Writes an entry that the host knows of, on behalf of the leaf.
+    ///
+    /// # Errors
+    /// The value does not fit the entry's type.
+    pub fn write(&mut self, entry: EntryId, value: Value) -> Result<(), String> {
+        self.memory.entry_mut(entry).write(value, Some(self.node))
     }
 
     /// Writes an output port.

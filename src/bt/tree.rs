@@ -135,6 +135,30 @@ impl<L> Tree<L> {
         self.boards.as_deref()
     }
 
+    /// The same tree with other leaves, so that a world can look at names and ports once instead of in every tick.
+    ///
+    /// - `leaf`: makes the new leaf from the old one and from what its node has besides.
+    #[must_use]
+    pub fn map_leaves<M>(self, mut leaf: impl FnMut(L, Option<&Extra>) -> M) -> Tree<M> {
+        let Self { nodes, extras, boards } = self;
+        let nodes = nodes.into_iter().enumerate().map(|(index, node)| {
+            let kind = match node.kind {
+                Kind::Sequence => Kind::Sequence,
+                Kind::SequenceWithMemory => Kind::SequenceWithMemory,
+                Kind::ReactiveSequence => Kind::ReactiveSequence,
+                Kind::Fallback => Kind::Fallback,
+                Kind::ReactiveFallback => Kind::ReactiveFallback,
+                Kind::Inverter => Kind::Inverter,
+                Kind::ForceSuccess => Kind::ForceSuccess,
+                Kind::ForceFailure => Kind::ForceFailure,
+                Kind::Builtin(builtin) => Kind::Builtin(builtin),
+                Kind::Leaf(old) => Kind::Leaf(leaf(old, extras.get(index).and_then(Option::as_deref))),
+            };
+            Node { kind, end: node.end }
+        });
+        Tree { nodes: nodes.collect(), extras, boards }
+    }
+
     /// The ids of the children of `node`, left to right.
     #[must_use]
     pub fn children(&self, node: NodeId) -> Children<'_, L> {

@@ -23,6 +23,7 @@ mod placing;
 pub mod referee;
 mod schema;
 mod statistics;
+pub mod team;
 pub mod view;
 
 pub use arrangement::{Arrangement, ArrangementError};

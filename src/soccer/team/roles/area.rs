@@ -1,0 +1,55 @@
+//! The area rule: at most one field player in a goal area while the ball is there.
+//!
+//! Source: soccer facts, section 6; section 3.2 for what the referee counts. Choices: see the table in `mod.rs`.
+
+use super::player::Scene;
+use crate::soccer::team::geometry::{AREA_X, AREA_Y, distance, in_area, side};
+use crate::soccer::view::ROBOTS;
+
+/// How far robots that may not enter a goal area stay out of it.
+const CLEARANCE: f64 = 0.06;
+/// The rule holds from so far in front of an area on.
+const AHEAD: f64 = 0.10;
+
+/// The place in front of a goal area where a robot has to stay that may not enter it; `None` when its way is free.
+///
+/// - `at`: where it wants to go.
+pub(super) fn shut_out(scene: &Scene, me: usize, at: [f64; 2]) -> Option<[f64; 2]> {
+    let (ball, here) = (scene.view.ball.at, scene.view.ours[me].at);
+    if ball[0].abs() < AREA_X - AHEAD || scene.roles[me].keeps_goal() {
+        return None;
+    }
+    let own = ball[0] < 0.0;
+    // A little within the places that `outside` gives, so that a robot that waits there is not sent on.
+    let enters = |place| in_area(place, own, CLEARANCE - 0.02);
+    if !in_area(ball, own, AHEAD) || !(enters(at) || enters(here)) || may_enter(scene, me, own) {
+        return None;
+    }
+    Some(outside(if enters(here) { here } else { at }, own))
+}
+
+/// Whether the robot is the one that may be in the area: in the own one nobody beside a goalkeeper, in the other one the
+/// robot that is nearest to the ball.
+fn may_enter(scene: &Scene, me: usize, own: bool) -> bool {
+    let (ours, ball) = (&scene.view.ours, scene.view.ball.at);
+    let way = |robot: usize| distance(ours[robot].at, ball);
+    (0..ROBOTS).filter(|other| *other != me).all(|other| {
+        if scene.roles[other].keeps_goal() {
+            return !own || !in_area(ours[other].at, true, CLEARANCE);
+        }
+        way(me) < way(other) || (way(me) <= way(other) && me < other)
+    })
+}
+
+/// The nearest place outside a goal area, at a distance from it.
+pub(super) fn outside(at: [f64; 2], own: bool) -> [f64; 2] {
+    if !in_area(at, own, CLEARANCE) {
+        return at;
+    }
+    let (front, beside) = (AREA_X - CLEARANCE, AREA_Y + CLEARANCE);
+    if at[0].abs() - front < beside - at[1].abs() {
+        [if own { -front } else { front }, at[1]]
+    } else {
+        [at[0], side(at[1]) * beside]
+    }
+}

@@ -1,9 +1,9 @@
 //! The trees of coaches and roles: the shipped files, and what is refused of a user's.
 
 use swarm_playground::bt::xml::{Manifest, read, write};
+use swarm_playground::soccer::team::Role;
 use swarm_playground::soccer::team::coach::{self, Program};
 use swarm_playground::soccer::team::roles::{self, MOST_NUMBERS, Roles, What};
-use swarm_playground::soccer::team::Role;
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

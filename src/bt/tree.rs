@@ -140,7 +140,7 @@ impl<L> Tree<L> {
     /// - `leaf`: makes the new leaf from the old one and from what its node has besides.
     #[must_use]
     pub fn map_leaves<M>(self, mut leaf: impl FnMut(L, Option<&Extra>) -> M) -> Tree<M> {
-        let Self { nodes, extras, boards } = self;
+        let Self { nodes, extras, scripts_end, boards } = self;
         let nodes = nodes.into_iter().enumerate().map(|(index, node)| {
             let kind = match node.kind {
                 Kind::Sequence => Kind::Sequence,
@@ -156,7 +156,7 @@ impl<L> Tree<L> {
             };
             Node { kind, end: node.end }
         });
-        Tree { nodes: nodes.collect(), extras, boards }
+        Tree { nodes: nodes.collect(), extras, scripts_end, boards }
     }
 
     /// The ids of the children of `node`, left to right.

@@ -15,6 +15,8 @@ use crate::geese;
 use crate::random::Seed;
 #[cfg(feature = "sequencing")]
 use crate::sequencing;
+#[cfg(feature = "soccer")]
+use crate::soccer;
 use serde_json::Value;
 
 /// A run, described completely: the same scenario gives the same states on every machine.
@@ -41,6 +43,9 @@ pub enum WorldParams {
     /// file that the page loads.
     #[cfg(feature = "sequencing")]
     Sequencing(sequencing::Params),
+    /// A match of robot soccer; left out of the first engine file likewise.
+    #[cfg(feature = "soccer")]
+    Soccer(Box<soccer::Params>),
 }
 
 /// A live parameter changed before the step that follows `tick`.
@@ -62,6 +67,8 @@ impl WorldParams {
             Self::Geese(_) => "geese",
             #[cfg(feature = "sequencing")]
             Self::Sequencing(_) => "sequencing",
+            #[cfg(feature = "soccer")]
+            Self::Soccer(_) => "soccer",
         }
     }
 
@@ -72,6 +79,8 @@ impl WorldParams {
             Self::Geese(params) => params.steps,
             #[cfg(feature = "sequencing")]
             Self::Sequencing(params) => params.steps(),
+            #[cfg(feature = "soccer")]
+            Self::Soccer(params) => params.steps(),
         }
     }
 }

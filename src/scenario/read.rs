@@ -7,6 +7,8 @@ use crate::parameter::{Apply, Parameter, shown};
 use crate::random::Seed;
 #[cfg(feature = "sequencing")]
 use crate::sequencing;
+#[cfg(feature = "soccer")]
+use crate::soccer;
 use serde_json::{Map, Value, json};
 use std::fmt;
 
@@ -67,6 +69,8 @@ const WORLDS: &[&str] = &[
     "geese",
     #[cfg(feature = "sequencing")]
     "sequencing",
+    #[cfg(feature = "soccer")]
+    "soccer",
 ];
 
 /// The world of this name with its defaults.
@@ -75,6 +79,8 @@ fn default_of(name: &str) -> Option<WorldParams> {
         "geese" => Some(WorldParams::Geese(geese::Params::default())),
         #[cfg(feature = "sequencing")]
         "sequencing" => Some(WorldParams::Sequencing(sequencing::Params::default())),
+        #[cfg(feature = "soccer")]
+        "soccer" => Some(WorldParams::Soccer(Box::default())),
         _ => None,
     }
 }
@@ -84,6 +90,8 @@ fn parameters(world: &WorldParams) -> impl Iterator<Item = &'static Parameter> +
         WorldParams::Geese(_) => geese::parameters(),
         #[cfg(feature = "sequencing")]
         WorldParams::Sequencing(_) => sequencing::parameters(),
+        #[cfg(feature = "soccer")]
+        WorldParams::Soccer(_) => soccer::parameters(),
     };
     lists.iter().copied().flatten()
 }
@@ -97,6 +105,11 @@ fn fields_of(world: &WorldParams) -> Map<String, Value> {
             Ok(Value::Object(fields)) => fields,
             _ => Map::new(),
         },
+        #[cfg(feature = "soccer")]
+        WorldParams::Soccer(params) => match serde_json::to_value(params) {
+            Ok(Value::Object(fields)) => fields,
+            _ => Map::new(),
+        },
     }
 }
 
@@ -106,6 +119,8 @@ fn set(world: &mut WorldParams, name: &str, value: &Value) -> bool {
         WorldParams::Geese(params) => params.set(name, value),
         #[cfg(feature = "sequencing")]
         WorldParams::Sequencing(params) => params.set(name, value),
+        #[cfg(feature = "soccer")]
+        WorldParams::Soccer(params) => params.set(name, value),
     }
 }
 
@@ -115,6 +130,8 @@ fn check(world: &WorldParams) -> Result<(), ScenarioError> {
         WorldParams::Geese(params) => params.check().map(|_| ()),
         #[cfg(feature = "sequencing")]
         WorldParams::Sequencing(params) => params.check(),
+        #[cfg(feature = "soccer")]
+        WorldParams::Soccer(params) => params.check(),
     };
     checked.map_err(|(field, message)| ScenarioError { path: field.to_owned(), message })
 }
@@ -247,6 +264,8 @@ pub(super) fn apply(world: &WorldParams, event: &Event) -> Result<WorldParams, S
         WorldParams::Geese(params) => params.check_fit(),
         #[cfg(feature = "sequencing")]
         WorldParams::Sequencing(params) => params.check(),
+        #[cfg(feature = "soccer")]
+        WorldParams::Soccer(params) => params.check(),
     };
     match checked {
         Ok(()) => Ok(changed),

@@ -5,6 +5,8 @@ use super::{Event, Scenario, ScenarioError, WorldParams};
 use crate::geese;
 #[cfg(feature = "sequencing")]
 use crate::sequencing;
+#[cfg(feature = "soccer")]
+use crate::soccer;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -24,6 +26,8 @@ enum World {
     Geese(Box<geese::World>),
     #[cfg(feature = "sequencing")]
     Sequencing(Box<sequencing::World>),
+    #[cfg(feature = "soccer")]
+    Soccer(Box<soccer::World>),
 }
 
 /// The state of a world at one tick, without what its scenario says.
@@ -32,6 +36,8 @@ pub(super) enum State {
     Geese(Box<geese::State>),
     #[cfg(feature = "sequencing")]
     Sequencing(Box<sequencing::State>),
+    #[cfg(feature = "soccer")]
+    Soccer(Box<soccer::State>),
 }
 
 /// How a run stands; its fields are those of the world's own outcome.
@@ -43,6 +49,9 @@ pub enum Outcome {
     /// Of a plan.
     #[cfg(feature = "sequencing")]
     Sequencing(Box<sequencing::Outcome>),
+    /// Of a match.
+    #[cfg(feature = "soccer")]
+    Soccer(Box<soccer::Outcome>),
 }
 
 impl Run {
@@ -57,6 +66,8 @@ impl Run {
             WorldParams::Sequencing(params) => {
                 sequencing::World::new(params, scenario.seed).map(Box::new).map(World::Sequencing)
             }
+            #[cfg(feature = "soccer")]
+            WorldParams::Soccer(params) => soccer::World::new(params, scenario.seed).map(Box::new).map(World::Soccer),
         };
         let world = world.map_err(|(field, message)| ScenarioError { path: field.to_owned(), message })?;
         Ok(Self { params: scenario.world.clone(), scenario, next_event: 0, world })
@@ -75,6 +86,8 @@ impl Run {
             World::Geese(world) => Some(world),
             #[cfg(feature = "sequencing")]
             World::Sequencing(_) => None,
+            #[cfg(feature = "soccer")]
+            World::Soccer(_) => None,
         }
     }
 
@@ -84,6 +97,8 @@ impl Run {
             World::Geese(world) => Some(world),
             #[cfg(feature = "sequencing")]
             World::Sequencing(_) => None,
+            #[cfg(feature = "soccer")]
+            World::Soccer(_) => None,
         }
     }
 
@@ -94,6 +109,20 @@ impl Run {
         match &self.world {
             World::Geese(_) => None,
             World::Sequencing(world) => Some(world),
+            #[cfg(feature = "soccer")]
+            World::Soccer(_) => None,
+        }
+    }
+
+    /// The match, if that is what runs.
+    #[cfg(feature = "soccer")]
+    #[must_use]
+    pub fn soccer(&self) -> Option<&soccer::World> {
+        match &self.world {
+            World::Soccer(world) => Some(world),
+            World::Geese(_) => None,
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(_) => None,
         }
     }
 
@@ -104,6 +133,8 @@ impl Run {
             World::Geese(world) => world.state().tick(),
             #[cfg(feature = "sequencing")]
             World::Sequencing(world) => world.state().tick(),
+            #[cfg(feature = "soccer")]
+            World::Soccer(world) => world.state().tick(),
         }
     }
 
@@ -114,6 +145,8 @@ impl Run {
             World::Geese(world) => Outcome::Geese(world.outcome()),
             #[cfg(feature = "sequencing")]
             World::Sequencing(world) => Outcome::Sequencing(Box::new(world.outcome())),
+            #[cfg(feature = "soccer")]
+            World::Soccer(world) => Outcome::Soccer(Box::new(world.outcome())),
         }
     }
 
@@ -124,6 +157,8 @@ impl Run {
             World::Geese(world) => world.outcome().finished.map(geese::Finished::text),
             #[cfg(feature = "sequencing")]
             World::Sequencing(world) => world.finished(),
+            #[cfg(feature = "soccer")]
+            World::Soccer(world) => world.finished().map(soccer::Finished::text),
         }
     }
 
@@ -134,6 +169,8 @@ impl Run {
             World::Geese(world) => world.fingerprint(),
             #[cfg(feature = "sequencing")]
             World::Sequencing(world) => world.fingerprint(),
+            #[cfg(feature = "soccer")]
+            World::Soccer(world) => world.fingerprint(),
         }
     }
 
@@ -147,6 +184,8 @@ impl Run {
             }
             #[cfg(feature = "sequencing")]
             World::Sequencing(_) => None,
+            #[cfg(feature = "soccer")]
+            World::Soccer(_) => None,
         }
     }
 
@@ -161,6 +200,8 @@ impl Run {
                 World::Geese(world) => world.step(),
                 #[cfg(feature = "sequencing")]
                 World::Sequencing(world) => world.step(),
+                #[cfg(feature = "soccer")]
+                World::Soccer(world) => world.step(),
             }
         }
         ticks
@@ -205,9 +246,9 @@ impl Run {
     fn tune(&mut self) {
         match (&mut self.world, &self.params) {
             (World::Geese(world), WorldParams::Geese(params)) => world.tune(params),
-            // Nothing of a plan can change while it is carried out, and a run's parameters are of its own world.
-            #[cfg(feature = "sequencing")]
-            (World::Sequencing(_), _) | (World::Geese(_), WorldParams::Sequencing(_)) => {}
+            // Nothing of a plan or a match can change while it goes on, and a run's parameters are of its own world.
+            #[cfg(any(feature = "sequencing", feature = "soccer"))]
+            _ => {}
         }
     }
 
@@ -217,6 +258,8 @@ impl Run {
             World::Geese(world) => State::Geese(Box::new(world.state().clone())),
             #[cfg(feature = "sequencing")]
             World::Sequencing(world) => State::Sequencing(Box::new(world.state().clone())),
+            #[cfg(feature = "soccer")]
+            World::Soccer(world) => State::Soccer(Box::new(world.state().clone())),
         }
     }
 
@@ -226,9 +269,11 @@ impl Run {
             (World::Geese(world), State::Geese(state)) => world.restore(state),
             #[cfg(feature = "sequencing")]
             (World::Sequencing(world), State::Sequencing(state)) => world.restore(state),
+            #[cfg(feature = "soccer")]
+            (World::Soccer(world), State::Soccer(state)) => world.restore(state),
             // States come from this same run.
-            #[cfg(feature = "sequencing")]
-            (World::Sequencing(_), State::Geese(_)) | (World::Geese(_), State::Sequencing(_)) => {}
+            #[cfg(any(feature = "sequencing", feature = "soccer"))]
+            _ => {}
         }
         // Events at this very tick happen with the next step.
         let tick = self.tick();
@@ -250,6 +295,8 @@ impl State {
             Self::Geese(state) => state.bytes(),
             #[cfg(feature = "sequencing")]
             Self::Sequencing(state) => state.bytes(),
+            #[cfg(feature = "soccer")]
+            Self::Soccer(state) => state.bytes(),
         }
     }
 }

@@ -25,9 +25,11 @@ mod schema;
 mod statistics;
 pub mod team;
 pub mod view;
+mod world;
 
 pub use arrangement::{Arrangement, ArrangementError};
-pub use game::{Colour, Match, Outcome};
+pub use game::{Colour, Match, Outcome as Ending};
 pub use params::Params;
 pub use schema::parameters;
 pub use statistics::Statistics;
+pub use world::{Finished, Outcome, State, TeamEvent, TeamReport, World};

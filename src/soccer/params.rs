@@ -2,8 +2,11 @@
 
 use super::referee::Times;
 use super::schema::parameters;
+use super::team::{Margins, TeamKind};
+use super::world::World;
 use crate::nearest::nearest;
 use crate::parameter::shown;
+use crate::random::Seed;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -12,6 +15,18 @@ use serde_json::Value;
 #[serde(rename_all = "kebab-case")]
 #[expect(missing_docs, reason = "each field is described once, in the schema")]
 pub struct Params {
+    pub blue: TeamKind,
+    pub yellow: TeamKind,
+    pub blue_coach: String,
+    pub yellow_coach: String,
+    pub blue_roles: String,
+    pub yellow_roles: String,
+    pub enter: f64,
+    pub leave_more: f64,
+    pub leave_less: f64,
+    pub swap_dwell: f64,
+    pub group_dwell: f64,
+    pub lock_out: f64,
     pub half_seconds: u32,
     pub knockout: bool,
     pub extra_seconds: u32,
@@ -28,7 +43,20 @@ pub struct Params {
 
 impl Default for Params {
     fn default() -> Self {
+        let Margins { enter, leave_more, leave_less, swap_dwell, group_dwell, lock_out } = Margins::default();
         Self {
+            blue: TeamKind::Tree,
+            yellow: TeamKind::Machine,
+            blue_coach: String::new(),
+            yellow_coach: String::new(),
+            blue_roles: String::new(),
+            yellow_roles: String::new(),
+            enter,
+            leave_more,
+            leave_less,
+            swap_dwell,
+            group_dwell,
+            lock_out,
             half_seconds: 300,
             knockout: false,
             extra_seconds: 180,
@@ -44,6 +72,9 @@ impl Default for Params {
         }
     }
 }
+
+/// Seconds of a shoot-out, at most: 20 pairs of attempts of 10 s.
+const SHOOT_OUT: u32 = 400;
 
 /// The path of a field and what is wrong with it.
 type Fault = (String, String);
@@ -91,6 +122,29 @@ impl Params {
         }
         fields.insert(name.to_owned(), value.clone());
         serde_json::from_value(Value::Object(fields)).map(|changed| *self = changed).is_ok()
+    }
+
+    /// Checks the trees and the margins.
+    ///
+    /// # Errors
+    /// The field's name and what is wrong with it.
+    pub fn check(&self) -> Result<(), (&'static str, String)> {
+        // Any seed: what is checked does not depend on it.
+        Seed::new(1).map_or(Ok(()), |seed| World::new(self, seed).map(|_| ()))
+    }
+
+    /// The most control frames that a match can take: nobody knows before how long overtime and a shoot-out last.
+    #[must_use]
+    pub fn steps(&self) -> u32 {
+        let halves = 2 * self.half_seconds + if self.knockout { 2 * self.extra_seconds + SHOOT_OUT } else { 0 };
+        halves * 60
+    }
+
+    /// The margins of all conditions.
+    #[must_use]
+    pub fn margins(&self) -> Margins {
+        let Self { enter, leave_more, leave_less, swap_dwell, group_dwell, lock_out, .. } = *self;
+        Margins { enter, leave_more, leave_less, swap_dwell, group_dwell, lock_out }
     }
 
     /// How long the parts of a match last.

@@ -3,6 +3,8 @@
 use super::noise::MOST_DELAY;
 use crate::parameter::{Apply, Kind, Parameter};
 
+const TEAMS: &str = "Teams";
+const MARGINS: &str = "When roles change";
 const MATCH: &str = "Match";
 const NOISE: &str = "Noise and losses";
 const PHYSICS: &str = "Physics";
@@ -13,8 +15,119 @@ const FIRASIM: &str = "our choice: none; FIRASim has it as an option";
 /// All parameters.
 #[must_use]
 pub fn parameters() -> &'static [&'static [Parameter]] {
-    &[PARAMETERS]
+    &[TEAM_PARAMETERS, MARGIN_PARAMETERS, PARAMETERS]
 }
+
+/// A parameter that both teams have.
+const fn kind(name: &'static str, label: &'static str) -> Parameter {
+    Parameter {
+        name,
+        kind: Kind::Choice(&[
+            ("tree", "Behaviour tree"),
+            ("machine", "State machine"),
+            ("tree-without-swaps", "Tree without swaps"),
+            ("machine-without-swaps", "Machine without swaps"),
+            ("tree-double-margins", "Tree, margins doubled"),
+            ("chase", "Two chase the ball"),
+            ("formation", "Formation, no coach"),
+        ]),
+        unit: "",
+        apply: Apply::Restart,
+        group: TEAMS,
+        label,
+        help: "Who gives out the roles. All but the two without a coach have the same roles, motion and conditions.",
+        source: "Haug et al. 2024, sections 4 and 5: state machine and behaviour tree; the others are our choice",
+    }
+}
+
+const fn trees(name: &'static str, label: &'static str, help: &'static str) -> Parameter {
+    Parameter {
+        name,
+        kind: Kind::Text(100_000),
+        unit: "",
+        apply: Apply::Restart,
+        group: TEAMS,
+        label,
+        help,
+        source: "our choice",
+    }
+}
+
+const COACH: &str = "BehaviorTree.CPP XML of a coach to play with in place of the built-in tree; empty for that one.";
+const ROLES: &str = "BehaviorTree.CPP XML of the roles to play with in place of the built-in trees; empty for those.";
+
+const TEAM_PARAMETERS: &[Parameter] = &[
+    kind("blue", "Blue team"),
+    kind("yellow", "Yellow team"),
+    trees("blue-coach", "Blue coach tree", COACH),
+    trees("yellow-coach", "Yellow coach tree", COACH),
+    trees("blue-roles", "Blue role trees", ROLES),
+    trees("yellow-roles", "Yellow role trees", ROLES),
+];
+
+const fn margin(
+    name: &'static str,
+    kind: Kind,
+    unit: &'static str,
+    label: &'static str,
+    help: &'static str,
+) -> Parameter {
+    Parameter {
+        name,
+        kind,
+        unit,
+        apply: Apply::Restart,
+        group: MARGINS,
+        label,
+        help,
+        source: "our choice; the paper prints no conditions",
+    }
+}
+
+const MARGIN_PARAMETERS: &[Parameter] = &[
+    margin(
+        "enter",
+        Kind::real(0.1, 4.0, 10.0, 0.1),
+        "",
+        "Clearness",
+        "How much clearer than in the table a difference must be before roles change; 1 is the table.",
+    ),
+    margin(
+        "leave-more",
+        Kind::real(0.0, 1.0, 1.0, 0.05),
+        "",
+        "Leaving, lower bounds",
+        "Lower bounds of a condition times this must still hold for it to go on holding; 1 is no hysteresis.",
+    ),
+    margin(
+        "leave-less",
+        Kind::real(1.0, 3.0, 10.0, 0.05),
+        "",
+        "Leaving, upper bounds",
+        "Upper bounds of a condition times this must still hold for it to go on holding; 1 is no hysteresis.",
+    ),
+    margin(
+        "swap-dwell",
+        Kind::real(0.0, 3.0, 60.0, 0.05),
+        "s",
+        "Rest after a swap",
+        "Seconds before the same two robots may swap again, or a swap state be left.",
+    ),
+    margin(
+        "group-dwell",
+        Kind::real(0.0, 3.0, 60.0, 0.05),
+        "s",
+        "Rest after a change of group",
+        "Seconds before attack and defence may change again.",
+    ),
+    margin(
+        "lock-out",
+        Kind::real(0.0, 3.0, 60.0, 0.05),
+        "s",
+        "Rest after a placement",
+        "Seconds after the referee has placed the robots without any swap.",
+    ),
+];
 
 const PARAMETERS: &[Parameter] = &[
     Parameter {

@@ -76,6 +76,8 @@ impl Cell {
             // Of the plan's replay alone; how long the search before it takes, nobody knows.
             #[cfg(feature = "sequencing")]
             WorldParams::Sequencing(params) => u64::from(params.robots) * u64::from(self.scenario.world.steps()),
+            #[cfg(feature = "soccer")]
+            WorldParams::Soccer(params) => 6 * u64::from(params.steps()),
         }
     }
 }

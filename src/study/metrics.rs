@@ -222,6 +222,8 @@ fn outcome(run: &Run) -> Option<crate::geese::Outcome> {
         Outcome::Geese(outcome) => Some(outcome),
         #[cfg(feature = "sequencing")]
         Outcome::Sequencing(_) => None,
+        #[cfg(feature = "soccer")]
+        Outcome::Soccer(_) => None,
     }
 }
 

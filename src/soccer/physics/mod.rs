@@ -18,7 +18,7 @@ mod body;
 mod solve;
 mod touch;
 
-pub use body::{Drive, GRIP_ALONG, GRIP_TURN, WHEEL_LIMIT};
+pub use body::{Drive, GRIP_ALONG, GRIP_TURN, HALF_TRACK, ROLLING, WHEEL_LIMIT, WHEEL_RADIUS};
 
 use crate::fingerprint::Fingerprint;
 use body::Body;
@@ -38,6 +38,12 @@ pub const WALL: usize = ROBOTS + 1;
 const PARTINGS: u32 = 4;
 /// What counts as a deep overlap, metres.
 const DEEP: f64 = 0.001;
+
+/// Seconds of so many control frames.
+#[must_use]
+pub fn seconds(frames: u32) -> f64 {
+    f64::from(frames) / f64::from(FRAMES_PER_SECOND)
+}
 
 /// An overlap of two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -162,7 +168,7 @@ impl Physics {
 
     /// Place of a robot's centre, or with [`BALL`] of the ball's.
     ///
-    /// - `body`: 0 to 6; the robot or ball of the next lower number stands in for others.
+    /// - `body`: 0 to 6; greater numbers mean the ball as well.
     #[must_use]
     pub fn at(&self, body: usize) -> [f64; 2] {
         self.bodies[body.min(BALL)].at

@@ -8,7 +8,7 @@ use swarm_playground::soccer::pitch::Side;
 use swarm_playground::soccer::view::{Lineup, Slot, Spot, Wheels};
 use swarm_playground::soccer::{Match, Params};
 
-/// Where `side` robots of each team press toward: a place and how long they do it.
+/// Where all robots press toward, whether some of them spin instead, and for how many frames.
 fn targets() -> impl Strategy<Value = Vec<([f64; 2], bool, u32)>> {
     prop::collection::vec((prop::array::uniform2(-0.8..0.8_f64), any::<bool>(), 10..120_u32), 8..24)
 }
@@ -36,9 +36,9 @@ fn start(substeps: u32) -> Physics {
     physics
 }
 
-/// Full speed toward a place: forward or backward, whichever is nearer, or a spin.
-fn toward(physics: &Physics, robot: usize, to: [f64; 2], spin: bool) -> Drive {
-    if spin && robot % 3 == 0 {
+/// Full speed toward a place, forward or backward; with `whirl` the first robot of each team spins instead.
+fn toward(physics: &Physics, robot: usize, to: [f64; 2], whirl: bool) -> Drive {
+    if whirl && robot.is_multiple_of(3) {
         return Drive::of(Wheels { left: -46.0, right: 46.0 }, 1.0);
     }
     let at = physics.at(robot);
@@ -60,9 +60,9 @@ proptest! {
     ) {
         let mut physics = start(substeps);
         let mut frame = 0;
-        for (to, spin, frames) in targets {
+        for (to, whirl, frames) in targets {
             for _ in 0..frames {
-                let drives = std::array::from_fn(|robot| toward(&physics, robot, to, spin));
+                let drives = std::array::from_fn(|robot| toward(&physics, robot, to, whirl));
                 physics.step(&drives);
                 frame += 1;
                 check(&physics, frame)?;
@@ -144,7 +144,7 @@ fn speed() -> impl Strategy<Value = f64> {
 fn lineup() -> impl Strategy<Value = Lineup> {
     let slot = prop_oneof![Just(Slot::Goalkeeper), Just(Slot::Attacker), Just(Slot::Supporter)];
     let place = prop_oneof![10 => -0.8..0.8_f64, 1 => Just(f64::NAN), 1 => Just(1e300)];
-    let spot = (prop::array::uniform2(place), -4.0..4.0_f64).prop_map(|(at, heading)| Spot { at, heading });
-    let spots = prop::array::uniform3(prop::option::of(spot));
+    let own = (prop::array::uniform2(place), -4.0..4.0_f64).prop_map(|(at, heading)| Spot { at, heading });
+    let spots = prop::array::uniform3(prop::option::of(own));
     (prop::array::uniform3(slot), spots).prop_map(|(slots, spots)| Lineup { slots, spots })
 }

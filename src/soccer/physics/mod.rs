@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | engine | own impulse solver, not `rapier2d` | four times faster natively, ten times in WebAssembly (section 4.3) |
 //! | ball | turns about the vertical as well | without it friction would stop a ball that slides along a wall, not roll it |
-//! | spin into robots | worn off as at walls | row 13: without it a fast ball pushes a robot twice as far as measured |
+//! | spin into robots | worn off as at walls | the same friction acts there |
 //! | lifting of the ball | none | two dimensions |
 //! | friction between robots, and of robots and ball | 0.3 and 0.5 | no source says |
 //!

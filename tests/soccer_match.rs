@@ -1,4 +1,5 @@
 //! Whole matches between two plain teams: the same bits everywhere, and nothing that hangs.
+#![expect(clippy::float_cmp, reason = "what is put somewhere stands exactly there, and what rests is exactly at rest")]
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

@@ -1,4 +1,5 @@
 //! The referee: each rule of section 3 of the soccer facts, staged.
+#![expect(clippy::float_cmp, reason = "what is put somewhere stands exactly there, and what rests is exactly at rest")]
 
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;

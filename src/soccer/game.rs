@@ -4,9 +4,9 @@
 //! [`Match::view`] and drive with [`Match::step`]. Waits take no step.
 
 use super::arrangement::{Arrangement, ArrangementError};
-use super::noise::{Camera, Hands, Radio, seconds};
+use super::noise::{Camera, Hands, Radio};
 use super::params::Params;
-use super::physics::{self, BALL, Physics};
+use super::physics::{self, BALL, Physics, seconds};
 use super::pitch::Side;
 use super::placing;
 use super::referee::{Command, Decision, Entry, KeeperSide, Kick, Phase, Referee, Rule, Ruling, WAIT, WAIT_AFTER_GOAL};

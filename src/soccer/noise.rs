@@ -9,7 +9,7 @@
 //! Source: soccer facts, section 4.4; losses and delays are options of FIRASim (section 4.1).
 
 use super::params::Params;
-use super::physics::{BALL, Drive, FRAMES_PER_SECOND, Physics, ROBOTS};
+use super::physics::{BALL, Drive, Physics, ROBOTS};
 use super::view::{Ball, Pose, Wheels};
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, chance, normal_pair, standard_normal, stream};
@@ -213,10 +213,4 @@ impl Hands {
     pub fn absorb(&self, hash: &mut Fingerprint) {
         self.streams.iter().for_each(|stream| hash.stream(stream));
     }
-}
-
-/// Seconds of so many control frames.
-#[must_use]
-pub fn seconds(frames: u32) -> f64 {
-    f64::from(frames) / f64::from(FRAMES_PER_SECOND)
 }

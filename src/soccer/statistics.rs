@@ -1,6 +1,6 @@
 //! What is counted in a match.
 
-use super::physics::{BALL, Physics};
+use super::physics::{BALL, Physics, ROLLING};
 use super::pitch::{GOAL_HALF, HALF_LENGTH, Side};
 use super::view::{ROBOTS, Restart};
 use crate::fingerprint::Fingerprint;
@@ -8,8 +8,6 @@ use serde::Serialize;
 
 /// Frames after the last touch when it is judged whether a ball is a shot.
 const RELEASED: u32 = 3;
-/// What a rolling ball is braked by, metres per second squared, for whether a shot would get there.
-const BRAKED: f64 = 0.14;
 
 /// Counts; arrays hold the left and the right team's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -105,6 +103,7 @@ fn on_target(physics: &Physics, by: Side) -> bool {
         return false;
     }
     // Along the line of flight the way is longer than along x, and the speed higher, in one ratio.
-    let (speed, ratio) = ((vx * vx + vy * vy).sqrt(), (vx * vx + vy * vy).sqrt() / toward);
-    (y + vy / toward * way).abs() < GOAL_HALF && speed * speed > 2.0 * BRAKED * way * ratio
+    let speed = (vx * vx + vy * vy).sqrt();
+    let ratio = speed / toward;
+    (y + vy / toward * way).abs() < GOAL_HALF && speed * speed > 2.0 * ROLLING * way * ratio
 }

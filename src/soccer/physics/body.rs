@@ -25,7 +25,7 @@ pub const GRIP_ACROSS: f64 = 9.81;
 /// What a ball that slides is braked by, metres per second squared: friction of 1.0 times gravity.
 const SLIDING: f64 = 9.81;
 /// What a ball that rolls is braked by, metres per second squared.
-const ROLLING: f64 = 0.14;
+pub const ROLLING: f64 = 0.14;
 /// A ball that rolls more slowly stands, metres per second.
 const STANDING: f64 = 0.01;
 /// What the surface of a ball that turns about the vertical is braked by, metres per second squared. No source says;

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | engine | own impulse solver, not `rapier2d` | four times faster natively, ten times in WebAssembly (section 4.3) |
 //! | ball | turns about the vertical as well | without it friction would stop a ball that slides along a wall, not roll it |
-//! | spin into robots | worn off as at walls | row 13: without it a fast ball pushes a robot twice as far as measured |
+//! | spin into robots | worn off as at walls | the same friction acts there |
 //! | lifting of the ball | none | two dimensions |
 //! | friction between robots, and of robots and ball | 0.3 and 0.5 | no source says |
 //!
@@ -18,7 +18,7 @@ mod body;
 mod solve;
 mod touch;
 
-pub use body::{Drive, GRIP_ALONG, GRIP_TURN, WHEEL_LIMIT};
+pub use body::{Drive, GRIP_ALONG, GRIP_TURN, HALF_TRACK, ROLLING, WHEEL_LIMIT, WHEEL_RADIUS};
 
 use crate::fingerprint::Fingerprint;
 use body::Body;
@@ -38,6 +38,12 @@ pub const WALL: usize = ROBOTS + 1;
 const PARTINGS: u32 = 4;
 /// What counts as a deep overlap, metres.
 const DEEP: f64 = 0.001;
+
+/// Seconds of so many control frames.
+#[must_use]
+pub fn seconds(frames: u32) -> f64 {
+    f64::from(frames) / f64::from(FRAMES_PER_SECOND)
+}
 
 /// An overlap of two bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -162,7 +168,7 @@ impl Physics {
 
     /// Place of a robot's centre, or with [`BALL`] of the ball's.
     ///
-    /// - `body`: 0 to 6; the robot or ball of the next lower number stands in for others.
+    /// - `body`: 0 to 6; greater numbers mean the ball as well.
     #[must_use]
     pub fn at(&self, body: usize) -> [f64; 2] {
         self.bodies[body.min(BALL)].at

@@ -7,7 +7,8 @@ use super::touch::Touch;
 use super::{BALL, WALL};
 use crate::fingerprint::Fingerprint;
 
-/// Passes over the velocities, at most; they end earlier when nothing changes any more.
+/// Passes over the velocities, at most. Section 4.3 asks for at least 4; ours end earlier only when nothing changes any
+/// more.
 const VELOCITY_PASSES: u32 = 8;
 /// Passes over the places, at most.
 const PLACE_PASSES: u32 = 6;

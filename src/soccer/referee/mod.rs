@@ -23,7 +23,7 @@ pub use log::{Command, Entry, Forced, Phase, Rule};
 pub use placement::{CLEARANCE, KeeperSide, ball_place, default_spot};
 pub use shootout::Attempt;
 
-use super::physics::{FRAMES_PER_SECOND, Physics};
+use super::physics::{FRAMES_PER_SECOND, Physics, seconds};
 use super::pitch::Side;
 use super::view::ROBOTS;
 use crate::fingerprint::Fingerprint;
@@ -169,7 +169,7 @@ impl Referee {
     /// Seconds of play in this part.
     #[must_use]
     pub fn seconds(&self) -> f64 {
-        f64::from(self.frames) / f64::from(FRAMES_PER_SECOND)
+        seconds(self.frames)
     }
 
     /// Goals of the left and the right team, without those of a shoot-out.

@@ -7,7 +7,7 @@ use super::decision::{Decision, Kick, Ruling};
 use super::log::Rule;
 use super::{STUCK_FRAMES, STUCK_SPEED};
 use crate::fingerprint::Fingerprint;
-use crate::soccer::physics::{BALL, FRAMES_PER_SECOND, Physics};
+use crate::soccer::physics::{BALL, FRAMES_PER_SECOND, Physics, seconds};
 use crate::soccer::pitch::{Side, goal_of};
 use serde::Serialize;
 
@@ -67,7 +67,7 @@ impl ShootOut {
         let taker = self.taker;
         self.taken[taker.index()] += 1;
         self.scored[taker.index()] += u32::from(ended == Attempt::Goal);
-        let seconds = f64::from(self.frames) / f64::from(FRAMES_PER_SECOND);
+        let seconds = seconds(self.frames);
         let rule = Rule::Attempt { by: taker, ended, seconds, scored: self.scored };
         if self.decided() {
             return Some(Ruling::Over(rule));

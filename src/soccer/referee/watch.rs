@@ -6,7 +6,7 @@ use super::decision::{Decision, Kick};
 use super::log::Rule;
 use super::{CROWD_FRAMES, FIGHT_DISTANCE, STUCK_FRAMES, STUCK_SPEED};
 use crate::fingerprint::Fingerprint;
-use crate::soccer::physics::{BALL, FRAMES_PER_SECOND, Physics};
+use crate::soccer::physics::{BALL, Physics, seconds};
 use crate::soccer::pitch::{Quadrant, Side, area_of, goal_of};
 use crate::soccer::view::ROBOTS;
 
@@ -39,10 +39,6 @@ pub struct Watch {
     stuck_in: Option<Side>,
     /// Frames that each robot has spent in its own area since the match began.
     at_home: [[u32; ROBOTS]; 2],
-}
-
-fn seconds(frames: u32) -> f64 {
-    f64::from(frames) / f64::from(FRAMES_PER_SECOND)
 }
 
 impl Watch {

@@ -141,7 +141,7 @@ proptest! {
                             let last: Option<u32> = changed.replace(event.frame);
                             prop_assert!(last.is_none_or(|last| event.frame - last >= 30), "{kind:?}");
                         }
-                        EventKind::Become { .. } | EventKind::Refused(_) | EventKind::Fault(_) => {}
+                        EventKind::Become { .. } | EventKind::Written(_) | EventKind::Refused(_) | EventKind::Fault(_) => {}
                     }
                 }
             }

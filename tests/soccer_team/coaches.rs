@@ -158,6 +158,29 @@ fn both_coaches_change_the_group_with_the_ball_and_wait_for_the_dwell() {
 }
 
 #[test]
+fn events_are_told_in_words() {
+    let mut team = attacking(MACHINE);
+    team.play(&striker_assistant(100));
+    // The Assistant, robot 1, is off the ball's line: the swap is over.
+    let apart = with([0.3, 0.0], [0.0; 2], [KEEPER, [-0.5, 0.4], [0.0, 0.0]]);
+    team.play(&View { frame: 200, since: 200, ..apart });
+    team.play(&ball_at(-0.3, 201));
+    let mut view = ball_at(0.3, 202);
+    view.call = call(Restart::PenaltyKick, Whose::Theirs, 0, 2);
+    view.since = 0;
+    team.called(&view);
+    team.play(&View { frame: 300, since: 98, ..view });
+    let told: Vec<String> = team.take_events().iter().map(|event| event.kind.to_string()).collect();
+    let wanted = [
+        "striker and assistant swap",
+        "changes to the group defense",
+        "call 2: starts as penalty_defense",
+        "penalty_defender becomes goalkeeper",
+    ];
+    assert_eq!(told, wanted);
+}
+
+#[test]
 fn both_coaches_swap_the_three_pairs() {
     for kind in [TREE, MACHINE] {
         let mut team = attacking(kind);

@@ -204,6 +204,8 @@ fn scripts_may_change_roles_along_the_links() {
     team.play(&start);
     assert_eq!(team.duties().roles, [Role::Goalkeeper, Role::Assistant, Role::Striker]);
     assert_eq!(team.violations(), 0);
+    let told = kinds(&mut team).last().map(ToString::to_string);
+    assert_eq!(told.as_deref(), Some("writes the roles goalkeeper, assistant, striker"));
 }
 
 #[test]

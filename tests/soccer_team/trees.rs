@@ -149,11 +149,7 @@ fn every_role_has_a_tree_with_numbers_as_they_stand() {
         role_faults("<ReturnToLine x", "<ReturnToLine z=\"1\" x"),
         ["line 8, column 23: unknown port \"z\", ReturnToLine has ports x, reach"]
     );
-    assert_eq!(
-        role_faults("</root>", "<root>"),
-        role_faults("</root>", "<root>"),
-        "a text that is no XML is refused, not run"
-    );
+    assert!(role_faults("</root>", "<root>")[0].starts_with("line "), "a text that is no XML is refused");
 }
 
 #[test]

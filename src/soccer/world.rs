@@ -235,6 +235,7 @@ impl State {
                     EventKind::Start { .. }
                     | EventKind::Become { .. }
                     | EventKind::Refused(_)
+                    | EventKind::Written(_)
                     | EventKind::Fault(_) => {}
                 }
                 if events.len() < MOST_EVENTS {

@@ -22,9 +22,11 @@ pub mod roles;
 mod roster;
 mod squad;
 pub mod start;
+mod watch;
 
 pub use duties::{Duties, Formation, Mode, Pair, Role};
 pub use kind::{Coached, TeamKind};
 pub use margins::{Margins, MarginsError};
 pub use roster::{Event, EventKind, Roster, Snapshot};
-pub use squad::{Statuses, Team, TeamError, Watch};
+pub use squad::{Team, TeamError};
+pub use watch::{Statuses, Watch};

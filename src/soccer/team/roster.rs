@@ -9,6 +9,7 @@ use super::organisation::{Checker, Member, Violation};
 use super::start;
 use crate::fingerprint::Fingerprint;
 use crate::soccer::view::{ROBOTS, Slot, View};
+use std::fmt;
 
 /// Something that the log of a match notes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,10 +41,32 @@ pub enum EventKind {
         /// The role after.
         to: Role,
     },
+    /// Scripts of a coach tree wrote these roles.
+    Written([Role; ROBOTS]),
     /// A change was refused.
     Refused(Violation),
     /// The tick of a tree ended with an error; the motors are off.
     Fault(String),
+}
+
+impl fmt::Display for EventKind {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Start { call, formation } => write!(out, "call {call}: starts as {}", formation.text()),
+            Self::Swap(pair) => {
+                let [first, second] = pair.roles().map(Role::text);
+                write!(out, "{first} and {second} swap")
+            }
+            Self::ChangeGroup(mode) => write!(out, "changes to the group {}", mode.group()),
+            Self::Become { from, to } => write!(out, "{} becomes {}", from.text(), to.text()),
+            Self::Written(roles) => {
+                let [a, b, c] = roles.map(Role::text);
+                write!(out, "writes the roles {a}, {b}, {c}")
+            }
+            Self::Refused(violation) => write!(out, "refused: {violation}"),
+            Self::Fault(error) => write!(out, "motors off: {error}"),
+        }
+    }
 }
 
 /// The most events that wait to be fetched: a tree that errs in every frame must not fill the memory.
@@ -191,19 +214,26 @@ impl Roster {
 
     /// Changes roles during play; true when the organisation allows it.
     pub fn change(&mut self, view: &View, roles: [Role; ROBOTS]) -> bool {
-        match self.try_change(roles) {
-            Ok(()) => true,
+        match Checker::built_in().change(Member::Coach, self.duties.roles, roles) {
+            Ok(formation) => {
+                self.set(roles, formation);
+                true
+            }
             Err(violation) => self.refuse(view, violation),
         }
     }
 
-    /// As [`Roster::change`], with the violation for the caller to refuse.
+    /// Takes over roles that scripts wrote one by one.
     ///
     /// # Errors
-    /// How the change would break the organisation; nothing is changed then.
-    pub fn try_change(&mut self, roles: [Role; ROBOTS]) -> Result<(), Violation> {
+    /// How the change would break the organisation; nothing is changed then, and the violation is the caller's to refuse.
+    pub fn write(&mut self, view: &View, roles: [Role; ROBOTS]) -> Result<(), Violation> {
         let formation = Checker::built_in().change(Member::Coach, self.duties.roles, roles)?;
+        if formation.mode() != self.duties.formation.mode() {
+            self.group_changed = Some(view.frame);
+        }
         self.set(roles, formation);
+        self.note(view, EventKind::Written(roles));
         Ok(())
     }
 

@@ -10,12 +10,14 @@ use super::organisation::Checker;
 use super::roles::{Player, Roles, Scene};
 use super::roster::{Event, Roster};
 use super::start;
+use super::watch::Watch;
 use crate::bt::xml::Problem;
-use crate::bt::{NodeId, Recorder, Silent, Status, TickError};
+use crate::bt::{Recorder, Silent, TickError};
 use crate::fingerprint::Fingerprint;
 use crate::random::Stream;
 use crate::soccer::view::{Lineup, ROBOTS, Restart, Slot, Spot, View, Wheels, Whose};
 use rand::RngExt;
+use std::f64::consts::FRAC_PI_2;
 use std::fmt;
 use std::sync::Arc;
 
@@ -90,44 +92,6 @@ pub struct Team {
     penalties: Stream,
     /// Why the motors are off until the next call.
     fault: Option<TickError>,
-}
-
-/// What somebody sees of a frame: a recorder for the coach tree and one for each robot's.
-#[derive(Clone, Debug, Default)]
-pub struct Watch<R> {
-    /// The coach tree; sees nothing of other coaches.
-    pub coach: R,
-    /// The tree of each robot's role.
-    pub roles: [R; ROBOTS],
-}
-
-/// The last status of each node in preorder; IDLE for those that were not ticked.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Statuses(Vec<Status>);
-
-impl Statuses {
-    /// The statuses in preorder, up to the last node that was ticked.
-    #[must_use]
-    pub fn list(&self) -> &[Status] {
-        &self.0
-    }
-}
-
-impl Recorder for Statuses {
-    fn returned(&mut self, node: NodeId, status: Status) {
-        if self.0.len() <= node.index() {
-            self.0.resize(node.index() + 1, Status::Idle);
-        }
-        self.0[node.index()] = status;
-    }
-}
-
-impl Watch<Statuses> {
-    /// Forgets the last frame; to be called before the next one.
-    pub fn clear(&mut self) {
-        self.coach.0.clear();
-        self.roles.iter_mut().for_each(|statuses| statuses.0.clear());
-    }
 }
 
 impl Team {
@@ -241,7 +205,15 @@ impl Team {
     pub fn called(&mut self, view: &View) -> Lineup {
         self.begin(view, &mut Silent);
         let roles = self.roster.duties().roles;
-        let own_place = |role: Role| (role == Role::PenaltyKicker).then(|| self.penalty_spot());
+        let own_place = |role: Role| match role {
+            Role::PenaltyKicker => Some(self.penalty_spot()),
+            // Ready to go along their lines, which they cannot when they look ahead as the table has them.
+            Role::PenaltyDefender => Some(Spot { at: [-0.7125, 0.0], heading: FRAC_PI_2 }),
+            Role::Goalkeeper if view.call.restart != Restart::GoalKick || view.call.taker != Whose::Ours => {
+                Some(Spot { at: [-0.69, 0.0], heading: FRAC_PI_2 })
+            }
+            Role::Goalkeeper | Role::Striker | Role::Assistant | Role::Fullback | Role::Wingback => None,
+        };
         Lineup { slots: self.slots(roles), spots: roles.map(own_place) }
     }
 
@@ -261,6 +233,9 @@ impl Team {
             return [Wheels::default(); ROBOTS];
         }
         self.coach(view, passed, &mut watch.coach);
+        if self.fault.is_some() {
+            return [Wheels::default(); ROBOTS];
+        }
         if let Err(violation) = Checker::built_in().look(self.roster.duties()) {
             self.roster.refuse(view, violation);
         }

@@ -1,7 +1,7 @@
 //! What a coach tree must be besides well-formed: it names roles that exist, changes them as the organisation allows, and
 //! always has somebody keep the goal.
 
-use super::tree::Leaf;
+use super::leaf::Leaf;
 use crate::bt::xml::{Attribute, Document, Element, NodeKind, Problem, reference};
 use crate::bt::{Extra, HostLeaf, Source, Value};
 use crate::nearest::nearest;

@@ -8,7 +8,9 @@
 //! | a new role | touches the edges of its states | adds a node |
 
 mod check;
+mod leaf;
 pub mod machine;
 mod tree;
 
-pub use tree::{BUILT_IN, Latch, Program, TreeCoach, WITHOUT_SWAPS, manifest};
+pub use leaf::{Leaf, manifest};
+pub use tree::{BUILT_IN, Latch, Program, TreeCoach, WITHOUT_SWAPS};

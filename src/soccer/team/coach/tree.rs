@@ -8,8 +8,9 @@
 //! tick; when roles, mode and formation then do not fit together, the whole tick is undone and counted as a violation.
 
 use super::check;
+use super::leaf::{Leaf, manifest};
 use crate::bt::blackboard::EntryId;
-use crate::bt::xml::{Direction, Manifest, NodeKind, Port, PortType, Problem};
+use crate::bt::xml::Problem;
 use crate::bt::{
     Host, Memory, NodeId, Ports, Recorder, Status, TickError, Tree, Value, compile, pass_time, tick_once, xml,
 };
@@ -26,67 +27,6 @@ use crate::soccer::view::{Call, ROBOTS, Restart, View, Whose};
 pub const BUILT_IN: &str = include_str!("../../../../trees/soccer/coach.xml");
 /// The built-in coach without the three swaps of roles.
 pub const WITHOUT_SWAPS: &str = include_str!("../../../../trees/soccer/coach-without-swaps.xml");
-
-/// A leaf of a coach tree.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Leaf {
-    /// A call of the referee has not been dealt with.
-    RefereeEventPending,
-    /// Gives out the roles of a start: the call's, or those named.
-    AssignStartRoles(Option<[Role; ROBOTS]>),
-    /// The call has been dealt with.
-    ConsumeEvent,
-    /// A condition of the coaches holds.
-    Holds(Condition),
-    /// The two robots should exchange their roles, and the latch of the pair is open.
-    ShouldSwap(Pair),
-    /// The two robots exchange their roles.
-    Swap(Pair),
-    /// Every robot takes the role that belongs to its own in the other group.
-    ChangeGroup,
-    /// The robot with the first role, of several the one farthest from the ball, takes the second.
-    Become(Role, Role),
-}
-
-/// The nodes that coach trees can be made of: the built-ins and the leaves.
-///
-/// # Panics
-/// Never: the names are allowed and differ, which a test checks.
-#[must_use]
-pub fn manifest() -> Manifest {
-    let role = |name: &str, description: &str| Port::new(name, Direction::In, PortType::Text, description);
-    let pair = || vec![role("first", "a role"), role("second", "the role it is exchanged with")];
-    let leaves = [
-        ("RefereeEventPending", NodeKind::Condition, vec![]),
-        (
-            "AssignStartRoles",
-            NodeKind::Action,
-            vec![role("roles", "goalkeeper;ball player;supporter, instead of the call's").optional()],
-        ),
-        ("ConsumeEvent", NodeKind::Action, vec![]),
-        ("LostBall", NodeKind::Condition, vec![]),
-        ("WonBall", NodeKind::Condition, vec![]),
-        ("TwoStrikersOver", NodeKind::Condition, vec![]),
-        ("KickOver", NodeKind::Condition, vec![]),
-        ("PenaltyOver", NodeKind::Condition, vec![]),
-        ("ShouldSwap", NodeKind::Condition, pair()),
-        ("Swap", NodeKind::Action, pair()),
-        ("ChangeGroup", NodeKind::Action, vec![]),
-        (
-            "Become",
-            NodeKind::Action,
-            vec![
-                role("role", "the role before; of several robots the farthest from the ball"),
-                role("into", "the role after"),
-            ],
-        ),
-    ];
-    let mut manifest = Manifest::default();
-    for (name, kind, ports) in leaves {
-        manifest.register(name, kind, ports).expect("the names are allowed and differ");
-    }
-    manifest
-}
 
 /// A coach tree, ready to run.
 #[derive(Clone, Debug, PartialEq)]
@@ -140,6 +80,20 @@ struct Keys {
     swap_count: EntryId,
 }
 
+impl Keys {
+    /// What the leaves change, mode excepted, which scripts change.
+    fn texts(&self, duties: &Duties) -> [(EntryId, &'static str); 5] {
+        let [first, second, third] = self.roles;
+        let [a, b, c] = duties.roles.map(Role::text);
+        let swap_last = duties.swap_last.map_or("none", Pair::text);
+        [(self.formation, duties.formation.text()), (first, a), (second, b), (third, c), (self.swap_last, swap_last)]
+    }
+
+    fn numbers(&self, duties: &Duties) -> [(EntryId, u32); 2] {
+        [(self.swap_time, duties.swap_time), (self.swap_count, duties.swap_count)]
+    }
+}
+
 /// What a coach tree remembers.
 #[derive(Clone, Debug)]
 pub struct TreeCoach {
@@ -172,11 +126,10 @@ impl TreeCoach {
         };
         let mut coach =
             Self { memory, keys, latches: Default::default(), consumed: 0, started: 0, seen: [0; 2 + ROBOTS] };
-        let texts = [(keys.event, "none"), (keys.team, "none"), (keys.swap_last, "none")];
-        for (entry, text) in texts {
-            put(&mut coach.memory, entry, Value::Text(text.to_owned()));
+        for entry in [keys.event, keys.team] {
+            put(&mut coach.memory, entry, Value::Text("none".to_owned()));
         }
-        for entry in [keys.quadrant, keys.number, keys.swap_time, keys.swap_count] {
+        for entry in [keys.quadrant, keys.number] {
             put(&mut coach.memory, entry, Value::Number(0.0));
         }
         coach.write(duties);
@@ -243,7 +196,7 @@ impl TreeCoach {
         let tree = &program.tree;
         let ticked = pass_time(tree, &mut self.memory, &mut hands, recorder, milliseconds)
             .and_then(|()| tick_once(tree, &mut self.memory, &mut hands, recorder));
-        let violation = if ticked.is_ok() { self.take_over(roster).err() } else { None };
+        let violation = if ticked.is_ok() { self.take_over(view, roster).err() } else { None };
         if ticked.is_err() || violation.is_some() {
             roster.restore(before);
             self.latches = latches;
@@ -256,7 +209,7 @@ impl TreeCoach {
     }
 
     /// Reads what the tick wrote to mode, formation and roles, and checks that it all fits together.
-    fn take_over(&mut self, roster: &mut Roster) -> Result<(), Violation> {
+    fn take_over(&mut self, view: &View, roster: &mut Roster) -> Result<(), Violation> {
         if self.writes() == self.seen {
             return Ok(());
         }
@@ -267,7 +220,7 @@ impl TreeCoach {
                 .ok_or_else(|| Violation::NoRole { robot, found: self.shown(self.keys.roles[robot]) })?;
         }
         if roles != roster.duties().roles {
-            roster.try_change(roles)?;
+            roster.write(view, roles)?;
         }
         let formation = roster.duties().formation;
         if Mode::from_text(self.text(self.keys.mode)) != Some(formation.mode()) {
@@ -305,11 +258,12 @@ impl TreeCoach {
 
     /// Puts all duties on the board.
     fn write(&mut self, duties: &Duties) {
-        let Keys { mode, formation, roles, .. } = self.keys;
-        put(&mut self.memory, mode, Value::Text(duties.mode.text().to_owned()));
-        put(&mut self.memory, formation, Value::Text(duties.formation.text().to_owned()));
-        for (entry, role) in roles.into_iter().zip(duties.roles) {
-            put(&mut self.memory, entry, Value::Text(role.text().to_owned()));
+        put(&mut self.memory, self.keys.mode, Value::Text(duties.mode.text().to_owned()));
+        for (entry, text) in self.keys.texts(duties) {
+            put(&mut self.memory, entry, Value::Text(text.to_owned()));
+        }
+        for (entry, number) in self.keys.numbers(duties) {
+            put(&mut self.memory, entry, Value::Number(f64::from(number)));
         }
         self.seen = self.writes();
     }
@@ -405,21 +359,12 @@ impl Hands<'_> {
     /// Puts what the leaf changed on the board, for the nodes that follow.
     fn publish(&self, ports: &mut Ports) -> bool {
         let duties = self.roster.duties();
-        let swap_last = duties.swap_last.map_or("none", Pair::text);
-        let texts = [
-            (self.keys.formation, duties.formation.text()),
-            (self.keys.roles[0], duties.roles[0].text()),
-            (self.keys.roles[1], duties.roles[1].text()),
-            (self.keys.roles[2], duties.roles[2].text()),
-            (self.keys.swap_last, swap_last),
-        ];
         // An entry that a script has made a number stays one, and the end of the tick says so.
         let mut fits = true;
-        for (entry, text) in texts {
+        for (entry, text) in self.keys.texts(duties) {
             fits &= ports.write(entry, Value::Text(text.to_owned())).is_ok();
         }
-        let numbers = [(self.keys.swap_time, duties.swap_time), (self.keys.swap_count, duties.swap_count)];
-        for (entry, number) in numbers {
+        for (entry, number) in self.keys.numbers(duties) {
             fits &= ports.write(entry, Value::Number(f64::from(number))).is_ok();
         }
         fits

@@ -2,7 +2,7 @@
 
 use super::wheels::Motion;
 use crate::soccer::team::geometry::{HALF, cross, distance, dot, left_of, length, minus, plus, side, times, unit};
-use crate::soccer::view::{Pose, ROBOTS, View, Wheels};
+use crate::soccer::view::{Pose, View, Wheels};
 use std::f64::consts::FRAC_PI_2;
 
 /// How far beside the target the centres of the spirals lie, and the radius of their inner circle.
@@ -31,13 +31,15 @@ pub struct Aim {
     pub arrival: Option<[f64; 2]>,
     /// k of the spirals: 0.004 is tight, 0.2 is wide.
     pub wide: f64,
+    /// How much farther the robot would go: it arrives with the speed that the approach limit allows at this distance.
+    pub past: f64,
 }
 
 impl Aim {
     /// A place to stand on.
     #[must_use]
     pub fn place(at: [f64; 2]) -> Self {
-        Self { at, arrival: None, wide: 0.0 }
+        Self { at, arrival: None, wide: 0.0, past: 0.0 }
     }
 }
 
@@ -180,14 +182,13 @@ impl Motion {
     /// - `front`: the unit vector of the robot's heading.
     /// - `obstacle`: a robot of ours to be avoided with a radius of its own.
     pub fn go(&mut self, view: &View, me: usize, front: [f64; 2], aim: Aim, obstacle: Option<Obstacle>) -> Wheels {
-        debug_assert!(me < ROBOTS, "a robot of the team");
         let pose: &Pose = &view.ours[me];
         let to_go = distance(pose.at, aim.at);
-        if to_go < ARRIVED {
+        if to_go < ARRIVED && aim.past <= 0.0 {
             return aim.arrival.map_or_else(Wheels::default, |arrival| self.face(pose, front, arrival));
         }
         let field = Field::new(view, me, aim, self, obstacle);
         let (course, curvature) = field.course(pose.at);
-        self.drive(front, course, curvature, to_go)
+        self.drive(front, course, curvature, to_go + aim.past)
     }
 }

@@ -8,7 +8,7 @@
 //! | obstacles near the target | fade over the last 0.20 to the target, so that a contested ball can be reached |
 //! | walls near the target | push no more than they push at the target, so that a ball at the wall can be reached |
 //! | curvature of the field | difference over 0.01 along it, at most 20 per metre |
-//! | speed and turn limit each other | the turn is computed from the speed without the slip limit, then the speed from the turn |
+//! | speed and turn limit each other | solved together, so that the robot follows the curvature of the field at the slip limit |
 //! | at the target | within 0.012 of a place to stand the robot only turns |
 
 mod field;

@@ -42,8 +42,8 @@ pub fn wheels(speed: f64, turn: f64) -> Wheels {
 pub struct Motion {
     /// The rear leads.
     reversed: bool,
-    /// Frames since the last flip, up to where it no longer matters.
-    since_flip: u32,
+    /// Frames before the next flip.
+    keeps: u32,
     /// The target is so near to a side wall that only one spiral is used.
     pub(super) at_wall: bool,
 }
@@ -51,7 +51,7 @@ pub struct Motion {
 impl Motion {
     /// Lets a frame pass.
     pub fn pass(&mut self) {
-        self.since_flip = (self.since_flip + 1).min(FLIP_FRAMES);
+        self.keeps = self.keeps.saturating_sub(1);
     }
 
     /// Drives in a direction with whichever end is nearer to it.
@@ -65,17 +65,16 @@ impl Motion {
     pub fn drive(&mut self, front: [f64; 2], course: [f64; 2], curvature: f64, left_to_go: f64) -> Wheels {
         let leads = if self.reversed { times(front, -1.0) } else { front };
         let mut error = libm::atan2(cross(leads, course), dot(leads, course));
-        if error.abs() > FLIP && self.since_flip >= FLIP_FRAMES {
+        if error.abs() > FLIP && self.keeps == 0 {
             self.reversed = !self.reversed;
-            self.since_flip = 0;
+            self.keeps = FLIP_FRAMES;
             error -= side(error) * PI;
         }
         let approach = 5.0 * left_to_go;
         let slowed = libm::exp(-error * error / (2.0 * 0.7 * 0.7));
-        let free = SPEED.min(approach) * slowed;
-        let turn = (free * curvature + correction(error)).clamp(-TURN, TURN);
-        let slip = if turn.abs() > 1e-9 { GRIP / turn.abs() } else { SPEED };
-        let speed = SPEED.min(slip).min(approach) * slowed;
+        let correction = correction(error);
+        let speed = SPEED.min(approach).min(without_slip(curvature, correction)) * slowed;
+        let turn = (speed * curvature + correction).clamp(-TURN, TURN);
         wheels(if self.reversed { -speed } else { speed }, turn)
     }
 
@@ -95,8 +94,21 @@ impl Motion {
 
     /// Takes everything into a fingerprint.
     pub fn feed(&self, hash: &mut Fingerprint) {
-        hash.u32(u32::from(self.reversed) | u32::from(self.at_wall) << 1 | self.since_flip << 2);
+        hash.u32(u32::from(self.reversed) | u32::from(self.at_wall) << 1 | self.keeps << 2);
     }
+}
+
+/// The greatest speed v at which v times the turn rate, v * curvature + correction, does not exceed the grip, nor the turn
+/// rate its limit.
+fn without_slip(curvature: f64, correction: f64) -> f64 {
+    let bend = curvature.abs();
+    if bend < 1e-3 {
+        return GRIP / correction.abs().max(1e-9);
+    }
+    // bend v^2 + same v = grip; `same` is negative when the correction turns against the curve.
+    let same = correction * side(curvature);
+    let slip = ((same * same + 4.0 * bend * GRIP).sqrt() - same) / (2.0 * bend);
+    slip.min((TURN - same) / bend)
 }
 
 /// The turn rate that takes away an error of the heading.

@@ -13,6 +13,10 @@ use crate::soccer::team::motion::{Aim, Obstacle, keep_line, meet, spin};
 use crate::soccer::view::Pose;
 use std::f64::consts::PI;
 
+/// The spirals lead so far behind the ball, ...
+const BEHIND: f64 = 0.04;
+/// ... where the robot is as fast as the approach limit allows at this distance.
+const PAST: f64 = 0.06;
 /// The greatest distance at which the Assistant keeps from the Striker.
 const WIDEST: f64 = 0.25;
 /// Shots aim so far from the middle of the goal at most.
@@ -63,7 +67,8 @@ pub(super) fn act(robot: &mut Robot, leaf: &Leaf) -> Status {
             let arrival = unit(minus(THEIR_GOAL, ball.at), [1.0, 0.0]);
             let left = left_of(arrival);
             let beside = times(left, apart * side(dot(minus(me.at, ball.at), left)));
-            get(robot, plus(meet(ball, me.at), beside), arrival, wide);
+            let at = plus(meet(ball, me.at), beside);
+            go(robot, Aim { at, arrival: Some(arrival), wide, past: 0.0 });
         }
         What::KickPenalty => {
             let aim = [THEIR_GOAL[0], -robot.scene.penalty_side * 0.144];
@@ -96,9 +101,10 @@ fn go_round(robot: &mut Robot, aim: Aim, obstacle: Option<Obstacle>) {
     robot.wheels = robot.state.motion.go(robot.scene.view, robot.me, robot.front, aim, obstacle);
 }
 
-/// Goes to a moving target so as to arrive in a direction.
-fn get(robot: &mut Robot, at: [f64; 2], arrival: [f64; 2], wide: f64) {
-    go(robot, Aim { at, arrival: Some(arrival), wide });
+/// Goes to a ball so as to meet it in a direction.
+fn get(robot: &mut Robot, ball: [f64; 2], arrival: [f64; 2], wide: f64) {
+    let at = minus(ball, times(arrival, BEHIND));
+    go(robot, Aim { at, arrival: Some(arrival), wide, past: PAST });
 }
 
 fn line(robot: &mut Robot, x: f64, y: f64) {

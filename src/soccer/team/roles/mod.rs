@@ -10,6 +10,7 @@
 //! | which way to spin | so that the side at the ball moves it away from the own goal, or in the other half towards the other one |
 //! | "one full spin" | until the robot has turned by 360 degrees, or for 0.5 s when something holds it |
 //! | "beside the ball", waiting Striker | towards the middle of the pitch, where there is always room |
+//! | getting the ball | the spirals lead to a place 0.04 behind it, where the approach limit is still that of 0.06: contact comes at the rim of the robot, before its centre would arrive |
 //! | area rule, own area | while a goalkeeper is in it nobody else enters: the referee counts the keeper too |
 //! | area rule, when | already while the ball is within 0.10 of the area, as the referee calls a foul from a single frame |
 
@@ -77,7 +78,7 @@ fn missing(document: &Document, role: Role) -> Problem {
     let names = document.trees.iter().filter_map(|tree| tree.id.as_deref());
     let near = nearest(role.tree(), names).map_or(String::new(), |near| format!(", found {near:?}"));
     let message = format!("expected a tree named {:?} for the role {}{near}", role.tree(), role.text());
-    let place = document.main_tree().map_or(Place { line: 1, column: 1 }, |tree| tree.place);
+    let place = document.trees.first().map_or(Place { line: 1, column: 1 }, |tree| tree.place);
     Problem { code: "no-role", place, message, warning: false }
 }
 

@@ -184,7 +184,7 @@ const PARTS = [
     () =>
       tests(
         ['wasm-pack', '--log-level', 'warn', 'test', '--mode', 'no-install', '--node']
-          .concat(['--', '--no-default-features', '--features', 'sequencing,texts', '--lib', '--test', '*']),
+          .concat(['--', '--no-default-features', '--features', 'sequencing,soccer,texts', '--lib', '--test', '*']),
         { CARGO_PROFILE_DEV_DEBUG: '0' },
       ),
   ],

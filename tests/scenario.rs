@@ -18,8 +18,8 @@ fn refused(value: &Value) -> String {
 fn a_refusal_names_the_path_what_was_found_and_what_is_allowed() {
     let geese = |name: &str, value: Value| json!({"world": "geese", name: value});
     let cases = [
-        (json!({}), "world: expected one of \"geese\", \"sequencing\", found no such field"),
-        (json!({"world": "ducks"}), "world: expected one of \"geese\", \"sequencing\", found \"ducks\""),
+        (json!({}), "world: expected one of \"geese\", \"sequencing\", \"soccer\", found no such field"),
+        (json!({"world": "ducks"}), "world: expected one of \"geese\", \"sequencing\", \"soccer\", found \"ducks\""),
         (json!([1]), "expected a scenario, an object with a field \"world\", found a list"),
         (geese("agents", json!(0)), "agents: expected a whole number from 1 to 10000 robots, found 0"),
         (geese("agents", json!(2.5)), "agents: expected a whole number from 1 to 10000 robots, found 2.5"),

@@ -179,8 +179,12 @@ impl World {
         let State { game, teams, counts, .. } = &self.state;
         let mut hash = Fingerprint::default();
         hash.u64(game.fingerprint());
-        teams.iter().for_each(|team| team.feed(&mut hash));
-        counts.iter().flatten().for_each(|&count| hash.u32(count));
+        for team in teams {
+            team.feed(&mut hash);
+        }
+        for &count in counts.iter().flatten() {
+            hash.u32(count);
+        }
         hash.finish()
     }
 }

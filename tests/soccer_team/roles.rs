@@ -86,7 +86,7 @@ fn fullback_guards_its_line_and_the_corner_where_the_ball_is() {
     run(&mut fullback, 2.0);
     assert!(gap(fullback.pose().at, [-0.50, 0.30]) < 0.015, "{:?}", fullback.pose());
     fullback.view.ball.at = [-0.65, 0.6];
-    run(&mut fullback, 2.0);
+    run(&mut fullback, 3.0);
     assert!(gap(fullback.pose().at, [-0.65, 0.40]) < 0.02, "{:?}", fullback.pose());
     fullback.view.ball.at = [-0.65, 0.46];
     assert!(spins(&mut fullback));

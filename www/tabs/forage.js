@@ -228,7 +228,7 @@ export function createForage({ address, built, live, themes, openTree }) {
 
 /** Presets are files, read alike by the page, the command line and the tests; those of other worlds are left out. @returns {Preset[]} the opening one first */
 function readPresets() {
-  const files = /** @type {Record<string, string>} */ (import.meta.glob(['/scenarios/*.json', '!/scenarios/{navigation,coverage,plan-*}.json'], { query: '?raw', import: 'default', eager: true }));
+  const files = /** @type {Record<string, string>} */ (import.meta.glob(['/scenarios/*.json', '!/scenarios/{navigation,coverage,plan-*,match}.json'], { query: '?raw', import: 'default', eager: true }));
   return Object.entries(files)
     .map(([path, json]) => {
       const name = path.replace(/^.*\/|\.json$/g, '');

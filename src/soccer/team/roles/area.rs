@@ -8,21 +8,24 @@ use crate::soccer::view::ROBOTS;
 
 /// How far robots that may not enter a goal area stay out of it.
 const CLEARANCE: f64 = 0.06;
-/// The rule holds from so far in front of an area on.
+/// The rule holds from so far in front of the other area on ...
 const AHEAD: f64 = 0.10;
+/// ... and of the own one, so that nobody is in it when a fast ball comes: the referee counts a single frame.
+const OWN_AHEAD: f64 = 0.45;
 
 /// The place in front of a goal area where a robot has to stay that may not enter it; `None` when its way is free.
 ///
 /// - `at`: where it wants to go.
 pub(super) fn shut_out(scene: &Scene, me: usize, at: [f64; 2]) -> Option<[f64; 2]> {
     let (ball, here) = (scene.view.ball.at, scene.view.ours[me].at);
-    if ball[0].abs() < AREA_X - AHEAD || scene.roles[me].keeps_goal() {
+    let own = ball[0] < 0.0;
+    let holds = if own { ball[0] < OWN_AHEAD - AREA_X } else { in_area(ball, own, AHEAD) };
+    if !holds || scene.roles[me].keeps_goal() {
         return None;
     }
-    let own = ball[0] < 0.0;
     // A little within the places that `outside` gives, so that a robot that waits there is not sent on.
     let enters = |place| in_area(place, own, CLEARANCE - 0.02);
-    if !in_area(ball, own, AHEAD) || !(enters(at) || enters(here)) || may_enter(scene, me, own) {
+    if !(enters(at) || enters(here)) || may_enter(scene, me, own) {
         return None;
     }
     Some(outside(if enters(here) { here } else { at }, own))

@@ -128,14 +128,15 @@ fn measure(task: &Task, options: Options) -> Row {
 
 /// Seconds on the processor, where the system tells, so that a busy machine does not show; otherwise by the clock.
 #[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
-fn cpu() -> f64 {
+pub(super) fn cpu() -> f64 {
     static BEGUN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let nanoseconds = told.and_then(|told| told.split(' ').next()?.parse::<f64>().ok());
     nanoseconds.map_or_else(|| BEGUN.get_or_init(Instant::now).elapsed().as_secs_f64(), |told| told * 1e-9)
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+/// The middle of some values; 0 without any.
+pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
     match values.len() {

@@ -86,6 +86,8 @@ enum Conform {
 enum SequenceCommand {
     /// Print integrations, time and cost of each variant on generated layouts, as a Markdown table
     Bench(cli::sequence::BenchArguments),
+    /// Print what the scenario's own search takes on generated layouts, as one line of JSON
+    Measure(cli::sequence::MeasureArguments),
 }
 
 #[derive(Subcommand)]
@@ -122,6 +124,7 @@ fn main() -> ExitCode {
         Command::Conform { what } => conform(&what),
         Command::Tree { what } => tree(&what),
         Command::Sequence { what: SequenceCommand::Bench(arguments) } => cli::sequence::bench(&arguments),
+        Command::Sequence { what: SequenceCommand::Measure(arguments) } => cli::sequence::measure_layouts(&arguments),
         Command::Study(arguments) => cli::study::study(&arguments),
         Command::Report(arguments) => cli::report::report(&arguments),
         Command::Reproduction(arguments) => cli::report::reproduction(&arguments),

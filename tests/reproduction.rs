@@ -46,6 +46,9 @@ fn what_is_reproduced_is_what_the_command_prints() {
 fn reports_are_what_the_command_prints() {
     for name in names("results", ".csv") {
         let made = printed(&["report", &format!("results/{name}.csv")]);
-        assert!(committed(&format!("{name}.md")) == made, "docs/{name}.md is not what `report results/{name}.csv` prints");
+        assert!(
+            committed(&format!("{name}.md")) == made,
+            "docs/{name}.md is not what `report results/{name}.csv` prints"
+        );
     }
 }

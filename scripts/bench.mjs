@@ -1,13 +1,14 @@
 // `make bench`: how fast the engine is natively and in WebAssembly (under Node), measured in turns so that a busy
 // machine slows both: agent-steps per second of three scenarios, and ticks per second of a tree. Prints the medians, their
-// ratio and the project's targets; then what a crowd costs, and the memory of the engine in WebAssembly. Status 1 only
-// when the two did not compute the same thing.
+// ratio and the project's targets; then the search for behaviour sequences, what a crowd costs, and the memory of the engine
+// in WebAssembly. Status 1 only when the two did not compute the same thing.
 //
 // SCENARIO (a file), STEPS, TICKS and ROUNDS may be set as environment variables.
 
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { cpus } from 'node:os';
+import { Sequence, initSync as initSequence } from '../www/sequence/engine/swarm_playground.js';
 import { World, initSync as initWorlds } from '../www/engine/swarm_playground.js';
 import { initSync as initTrees, tick_headless } from '../www/trees/engine/swarm_playground.js';
 
@@ -15,6 +16,9 @@ const PUBLISHED = 'scenarios/published.json';
 const FIXED = 'scenarios/hand-tree.json'; // every robot runs one tree of 16 nodes, nobody evolves
 const FIXED_STEPS = 20_000;
 const TREE = 'tests/cases/reactive_tree.json'; // 18 nodes
+const FLOCKS = 'tests/cases/flocks.json'; // 1000 flocks of 20 robots for one interval of 100 steps
+const FLOCK_STEPS = 1000 * 20 * 100;
+const LAYOUTS = 10;
 const scenario = process.env.SCENARIO || 'scenarios/foraging.json';
 const steps = Number(process.env.STEPS || 12_000);
 const ticks = Number(process.env.TICKS || 2_000_000);
@@ -157,6 +161,81 @@ function run({ title, unit, amount, native: runNative, wasm: runWasm, least, rat
   }
 }
 
+/** @typedef {{ seconds: number, outcome: string, plan: string | null, cost: number | null, lower_bound: number | null, integrated: number, expanded: number }} Searched */
+
+/** The search on layouts in WebAssembly, with the seeds from the scenario's on. @param {string} file @param {number} layouts @returns {Searched[]} */
+function searchLayouts(file, layouts) {
+  const scenario = JSON.parse(readFileSync(file, 'utf8'));
+  return Array.from({ length: layouts }, (_, number) => {
+    const sequence = new Sequence(JSON.stringify({ ...scenario, seed: (scenario.seed ?? 1) + number }));
+    // In slices, as the page does.
+    const { seconds } = timed(() => {
+      while (sequence.advance(16));
+      return '';
+    });
+    const found = JSON.parse(sequence.progress());
+    sequence.free();
+    return { ...found, seconds };
+  });
+}
+
+/** What a search came to, without the time. @param {Searched} found */
+const cameTo = ({ outcome, plan, cost, lower_bound: bound, integrated, expanded }) => JSON.stringify([outcome, plan, cost, bound, integrated, expanded]);
+
+/**
+ * Searches layouts natively and in WebAssembly in turns, and checks that both come to the same.
+ * @param {string} file @param {number} layouts @param {number} times
+ */
+function searches(file, layouts, times) {
+  searchLayouts(file, 1); // the first run is slower: V8 is still compiling
+  /** @type {{ native: number[][], wasm: number[][] }} seconds, by layout */
+  const seconds = { native: [], wasm: [] };
+  /** @type {Searched[]} */
+  let found = [];
+  for (let round = 0; round < times; round++) {
+    found = native('sequence', 'measure', file, '--layouts', String(layouts)).layouts;
+    const theirs = searchLayouts(file, layouts);
+    found.forEach((ours, at) => {
+      (seconds.native[at] ??= []).push(ours.seconds);
+      (seconds.wasm[at] ??= []).push(theirs[at].seconds);
+      if (cameTo(ours) === cameTo(theirs[at])) return;
+      console.error(`layout ${at + 1} differs: ${cameTo(ours)} natively, ${cameTo(theirs[at])} in WebAssembly`);
+      process.exitCode = 1;
+    });
+  }
+  return { found, native: seconds.native.map(median), wasm: seconds.wasm.map(median) };
+}
+
+/** How fast plans are found, and flocks simulated. */
+function plans() {
+  const times = Math.min(rounds, 3); // one layout takes seconds
+  const per = (/** @type {number[]} */ seconds) => 1000 * median(seconds);
+  const mean = (/** @type {number[]} */ values) => values.reduce((all, value) => all + value, 0) / values.length;
+  const ms = (/** @type {string} */ name, /** @type {number} */ value, /** @type {number} */ most) => console.log(`${name.padEnd(12)} ${verdict(value <= most)}: ${value.toFixed(1)} ms at the median, at most ${most}`);
+
+  const navigation = searches('scenarios/navigation.json', LAYOUTS, times);
+  const counts = navigation.found.map(({ integrated }) => integrated);
+  const solved = navigation.found.filter(({ outcome }) => outcome === 'solved').length;
+  console.log(`\nscenarios/navigation.json, ${LAYOUTS} layouts, medians over them of the medians over ${times} rounds`);
+  console.log(`integrations ${verdict(median(counts) <= 40)}: ${median(counts)} at the median, at most 40`);
+  console.log(`solved       ${verdict(solved === LAYOUTS)}: ${solved} of ${LAYOUTS}`);
+  ms('native', per(navigation.native), 15);
+  ms('wasm', per(navigation.wasm), 30);
+
+  const coverage = searches('scenarios/coverage.json', LAYOUTS, times);
+  const integrations = mean(coverage.found.map(({ integrated }) => integrated));
+  console.log(`\nscenarios/coverage.json, ${LAYOUTS} layouts`);
+  console.log(`integrations ${verdict(integrations <= 130)}: ${integrations.toFixed(1)} in the mean, at most 130`);
+  console.log(`native       ${per(coverage.native).toFixed(1)} ms at the median`);
+  console.log(`wasm         ${per(coverage.wasm).toFixed(1)} ms at the median`);
+
+  const flocks = searches(FLOCKS, 1, rounds);
+  const [fast, slow] = [FLOCK_STEPS / flocks.native[0], FLOCK_STEPS / flocks.wasm[0]];
+  console.log(`\n${FLOCKS}, ${FLOCK_STEPS.toLocaleString('en')} robot-steps of flocking within a search`);
+  console.log(`native       ${verdict(fast >= 4e6)}: ${rate(fast).trim()} robot-steps/s, at least ${rate(4e6).trim()}`);
+  console.log(`wasm/native  ${verdict(slow / fast >= 0.65)}: ${(slow / fast).toFixed(2)}, at least 0.65`);
+}
+
 /** What an agent-step costs in a crowd of 10,000, as densely placed as 100, natively. */
 function crowds() {
   const cost = (/** @type {number} */ agents) => {
@@ -179,8 +258,10 @@ function ceiling(memory) {
 console.log('Building the command line (release)');
 execFileSync('cargo', ['build', '--release', '--quiet'], { stdio: 'inherit' });
 const { memory } = initWorlds({ module: readFileSync('www/engine/swarm_playground_bg.wasm') });
+initSequence({ module: readFileSync('www/sequence/engine/swarm_playground_bg.wasm') });
 initTrees({ module: readFileSync('www/trees/engine/swarm_playground_bg.wasm') });
 console.log(`${cpus()[0].model}, Node ${process.versions.node}, ${rounds} rounds`);
 for (const measure of measures()) run(measure);
+plans();
 crowds();
 ceiling(memory);

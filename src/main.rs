@@ -49,6 +49,8 @@ enum Command {
     Report(cli::report::ReportArguments),
     /// Print which of a paper's claims the results bear out, as Markdown
     Reproduction(cli::report::ReproductionArguments),
+    /// Measure the searches of studies and print the paper's seconds beside ours, as Markdown
+    Times(cli::times::TimesArguments),
     /// Put the results of a study's shards into one file, in the order of the runs
     Merge(cli::report::MergeArguments),
     /// Measure how fast a scenario runs and print the result as one line of JSON; a run that ends is followed by the next seed
@@ -84,6 +86,8 @@ enum Conform {
 enum SequenceCommand {
     /// Print integrations, time and cost of each variant on generated layouts, as a Markdown table
     Bench(cli::sequence::BenchArguments),
+    /// Print what the scenario's own search takes on generated layouts, as one line of JSON
+    Measure(cli::sequence::MeasureArguments),
 }
 
 #[derive(Subcommand)]
@@ -120,9 +124,11 @@ fn main() -> ExitCode {
         Command::Conform { what } => conform(&what),
         Command::Tree { what } => tree(&what),
         Command::Sequence { what: SequenceCommand::Bench(arguments) } => cli::sequence::bench(&arguments),
+        Command::Sequence { what: SequenceCommand::Measure(arguments) } => cli::sequence::measure_layouts(&arguments),
         Command::Study(arguments) => cli::study::study(&arguments),
         Command::Report(arguments) => cli::report::report(&arguments),
         Command::Reproduction(arguments) => cli::report::reproduction(&arguments),
+        Command::Times(arguments) => cli::times::times(&arguments),
         Command::Merge(arguments) => cli::report::merge(&arguments),
         Command::Bench { scenario, steps } => bench(&scenario, steps),
     };

@@ -58,3 +58,38 @@ fn a_change_that_is_none_is_refused_in_one_sentence() {
     assert_eq!(status, 2);
     assert!(error.contains("population: format: expected \"geese-population/1\", found null"), "{error}");
 }
+
+#[test]
+fn a_search_prints_its_result_and_nothing_else_where_nobody_watches() {
+    // A terminal would see a bar after two seconds; a file or a pipe must not, however long it takes.
+    let (status, line, error) = run(&["run", "scenarios/plan-walled.json", "--set", "method=literal"]);
+    assert_eq!((status, error.as_str()), (0, ""));
+    assert!(line.starts_with('{') && line.contains("\"result\":\"proved infeasible\""), "{line}");
+    assert_eq!(line.lines().count(), 1);
+}
+
+#[test]
+fn layouts_are_measured_in_one_line_for_programs_to_read() {
+    let words = ["sequence", "measure", "scenarios/plan-walled.json", "--layouts", "2"];
+    let (status, line, error) = run(&words);
+    assert_eq!((status, error.as_str()), (0, ""));
+    let found: serde_json::Value = serde_json::from_str(&line).expect("it is JSON");
+    let layouts = found["layouts"].as_array().expect("a list");
+    assert_eq!(layouts.len(), 2);
+    assert!(
+        layouts.iter().all(|layout| layout["outcome"] == "proved infeasible" && layout["seconds"].is_f64()),
+        "{line}"
+    );
+    let (status, _, error) = run(&["sequence", "measure", "scenarios/foraging.json"]);
+    assert_eq!(
+        (status, error.as_str()),
+        (2, "swarm-playground: scenarios/foraging.json: world: expected \"sequencing\"")
+    );
+}
+
+#[test]
+fn times_needs_the_papers() {
+    let (status, _, error) = run(&["times", "studies/sequences.json"]);
+    let message = "studies/sequences.json: seconds: expected the paper's seconds, found no such field";
+    assert_eq!((status, error), (2, format!("swarm-playground: {message}")));
+}

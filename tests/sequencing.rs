@@ -374,3 +374,20 @@ fn golden_fingerprints_are_reached_natively_and_in_wasm() {
     let expected: Vec<&str> = cases.iter().map(|case| case["fingerprint"].as_str().expect("a text")).collect();
     assert_eq!(found, expected);
 }
+
+/// Algorithm 1 on thousands of sequences is for machines' own code.
+#[cfg(not(target_arch = "wasm32"))]
+#[test]
+fn the_presets_of_the_figures_show_plans_of_the_papers_kind() {
+    use swarm_playground::scenario::{Scenario, WorldParams};
+    let plan = |text: &str| {
+        let scenario = Scenario::read(text).expect("presets are valid");
+        let WorldParams::Sequencing(params) = scenario.world else { panic!("a world of sequencing") };
+        let params = Params { jitter_runs: 0, ..params };
+        World::new(&params, scenario.seed).expect("it builds").solution().plan.clone().expect("it has a plan")
+    };
+    // The paper: NNNEEENENEN...R, which has north and east in turns, idle Stops and a rendezvous at the end.
+    assert_eq!(plan(include_str!("../scenarios/plan-figure-1.json")), "ENENEENNEN....R");
+    // The paper: WNSAXR...SSEXFW, with eight behaviours, idle Stops and more after them.
+    assert_eq!(plan(include_str!("../scenarios/plan-figure-2.json")), "AYNEEEWSSX....S");
+}

@@ -41,7 +41,7 @@ fn claims(evidence: &str) -> Claims {
 }
 
 fn verdict(evidence: &str, seeds: u32) -> String {
-    let document = claims(evidence).document(&results(seeds)).unwrap_or_else(|error| panic!("{error}"));
+    let document = claims(evidence).document(&results(seeds), "claims.json").unwrap_or_else(|error| panic!("{error}"));
     let row = document.lines().rev().find(|line| line.starts_with("| paper |")).expect("the row of the evidence");
     row.split(" | ").nth(6).expect("seven columns").to_owned()
 }
@@ -88,9 +88,23 @@ fn a_bound_holds_with_the_whole_interval() {
 }
 
 #[test]
+fn a_promise_holds_when_no_run_breaks_it() {
+    let promise = |most: f64, seeds: u32| {
+        let evidence =
+            format!(r#"{{"study": "small", "profile": "paper", "metric": "share", "never_above": {{"low": {most}}}}}"#);
+        verdict(&evidence, seeds)
+    };
+    // Shares of 0.10 to 0.13.
+    assert_eq!(promise(0.13, 16), "reproduced");
+    assert_eq!(promise(0.129, 16), "not reproduced");
+    assert_eq!(promise(0.13, 15), "open");
+    assert_eq!(promise(0.11, 15), "not reproduced");
+}
+
+#[test]
 fn a_study_without_results_is_not_run() {
     let evidence = r#"{"study": "other", "profile": "paper", "metric": "share", "above": {"x": 0.5}}"#;
-    let document = claims(evidence).document(&results(16)).expect("a document");
+    let document = claims(evidence).document(&results(16), "claims.json").expect("a document");
     assert!(document.contains("| C1: High beats low. | not run |"), "{document}");
     assert!(document.contains("| other | not run |"), "{document}");
 }
@@ -101,12 +115,12 @@ fn wrong_claims_name_their_place() {
         let text = format!(r#"{{"claims": [{{"id": "C1", "claim": "x", "source": "y", "evidence": [{evidence}]}}]}}"#);
         match Claims::read(&text) {
             Err(error) => error.to_string(),
-            Ok(claims) => claims.document(&results(16)).expect_err("a fault").to_string(),
+            Ok(claims) => claims.document(&results(16), "claims.json").expect_err("a fault").to_string(),
         }
     };
     assert_eq!(
         error(r#"{"study": "small", "profile": "paper", "metric": "share"}"#),
-        "claims[0].evidence[0]: expected one of equals, below, above, greater, found 0"
+        "claims[0].evidence[0]: expected one of equals, below, above, greater, never_above, found 0"
     );
     assert_eq!(
         error(r#"{"study": "small", "profile": "paper", "metric": "share", "equals": {"high": "much"}}"#),

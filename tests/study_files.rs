@@ -34,7 +34,8 @@ fn glance(name: &str) {
         results.add(row);
     }
     let text = report(&results);
-    assert!(text.starts_with(&format!("# {}\n", study.title)) && text.contains("## Items delivered"), "{text}");
+    let first = study.metrics[0].label();
+    assert!(text.starts_with(&format!("# {}\n", study.title)) && text.contains(&format!("## {first}\n")), "{text}");
     assert!(text.contains("## Tests") && !text.contains("NaN"), "{text}");
     let drawn = figure(&results).expect("every study has a figure");
     assert!(drawn.contains(&format!("<title>{}</title>", study.title)) && !drawn.contains("NaN"), "{drawn}");
@@ -66,6 +67,11 @@ fn glance_of_archive() {
 }
 
 #[test]
+fn glance_of_coverage() {
+    glance("coverage");
+}
+
+#[test]
 fn glance_of_figure_2a() {
     glance("figure-2a");
 }
@@ -91,6 +97,11 @@ fn glance_of_mutation() {
 }
 
 #[test]
+fn glance_of_navigation() {
+    glance("navigation");
+}
+
+#[test]
 fn glance_of_published_switches() {
     glance("published-switches");
 }
@@ -103,6 +114,16 @@ fn glance_of_random_programs() {
 #[test]
 fn glance_of_robust_switches() {
     glance("robust-switches");
+}
+
+#[test]
+fn glance_of_search_variants() {
+    glance("search-variants");
+}
+
+#[test]
+fn glance_of_sequences() {
+    glance("sequences");
 }
 
 #[test]
@@ -128,7 +149,7 @@ fn the_claims_name_studies_cells_and_metrics_that_exist() {
     for (name, text) in texts("studies/claims") {
         let claims = Claims::read(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         let results = claims.studies().into_iter().map(|study| (study.to_owned(), Results::new(read(study))));
-        let document = claims.document(&results.collect()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let document = claims.document(&results.collect(), &name).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(document.contains("## At a glance") && document.contains("| open |"), "{document}");
     }
 }

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
-use swarm_playground::study::{Metric, Presets, Results, Row, Size, Study, figure, report};
+use swarm_playground::study::{Form, Metric, Presets, Results, Row, Size, Study, figure, report};
 
 const PRESETS: &Presets = &[("small", r#"{"world": "geese", "agents": 8, "steps": 30}"#)];
 
@@ -106,7 +106,7 @@ fn nearly_study() -> impl Strategy<Value = Value> {
 /// A row of numbers of any kind that the metrics allow.
 fn row(study: &Study, run: u32, numbers: &[Option<f64>]) -> Row {
     let value = |(metric, number): (&Metric, &Option<f64>)| match metric {
-        Metric::Success => number.map(|number| f64::from(u8::from(number > 0.0))),
+        metric if metric.form() == Form::Flag => number.map(|number| f64::from(u8::from(number > 0.0))),
         _ => *number,
     };
     Row { run, metrics: study.metrics.iter().zip(numbers).map(value).collect(), end: Ok(u64::from(run)) }

@@ -98,7 +98,7 @@ fn a_refusal_names_the_path_what_was_found_and_what_is_allowed() {
     let cases = [
         (
             json!([]),
-            "expected an object with \"study\", \"title\", \"about\", \"scenario\", \"cells\", \"grid\", \"seeds\", \"steps\", \"metrics\", \"sizes\", \"tests\", \"figure\", \"paper\", found a list",
+            "expected an object with \"study\", \"title\", \"about\", \"scenario\", \"cells\", \"grid\", \"seeds\", \"steps\", \"metrics\", \"sizes\", \"tests\", \"figure\", \"paper\", \"seconds\", found a list",
         ),
         (with("", "metric", json!(1)), "metric: unknown field, did you mean \"metrics\"?"),
         (
@@ -218,7 +218,7 @@ fn metrics_tests_figures_and_paper_values_must_fit_the_study() {
 
 #[test]
 fn every_metric_has_its_name_and_words() {
-    for (name, metric) in Metric::ALL {
+    for (name, metric) in Metric::all() {
         assert_eq!(metric.name(), name);
         assert!(!metric.label().is_empty() && metric.help().ends_with('.'));
     }

@@ -4,6 +4,7 @@ pub mod report;
 pub mod run;
 pub mod sequence;
 pub mod study;
+pub mod times;
 
 use std::fs;
 use std::io::{Write, stdout};

@@ -58,7 +58,9 @@ pub fn reproduction(arguments: &ReproductionArguments) -> Result<(), Failure> {
             all.insert(study.to_owned(), read_results(&path, None)?);
         }
     }
-    let document = claims.document(&all).map_err(|error| in_file(&arguments.claims, &error))?;
+    let document = claims
+        .document(&all, &arguments.claims.display().to_string())
+        .map_err(|error| in_file(&arguments.claims, &error))?;
     print(document.trim_end())
 }
 

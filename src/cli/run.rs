@@ -7,7 +7,7 @@ use std::fs::OpenOptions;
 use std::io::{IsTerminal, Write, stderr};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use swarm_playground::scenario::{Run, Scenario};
+use swarm_playground::scenario::{Run, Scenario, Start, WorldParams};
 
 /// What `run` takes.
 #[derive(clap::Args)]
@@ -45,8 +45,14 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     changes.push(("population", population.map(Value::from)));
     changes.push(("seed", arguments.seed.map(Value::from)));
     changes.push(("steps", arguments.steps.map(Value::from)));
-    let mut run = read_run(&arguments.scenario, &changes)?;
+    let mut start = read_start(&arguments.scenario, &changes)?;
     let mut progress = Progress::new();
+    // A world that plans is searched in slices of a few milliseconds.
+    while !start.advance(16) {
+        progress.show_search(&start);
+    }
+    progress.clear();
+    let mut run = start.run();
     while run.advance(20) == 20 {
         progress.show(&run);
     }
@@ -69,6 +75,11 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
 
 /// A run of a scenario file with some of its parameters changed; those without a value stay.
 pub fn read_run(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Run, Failure> {
+    Ok(read_start(path, changes)?.run())
+}
+
+/// As [`read_run`], before anything is planned.
+fn read_start(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Start, Failure> {
     let text = read_file(path)?;
     let mut scenario = Scenario::read(&text).map_err(|error| in_file(path, &error))?;
     for (option, value) in changes {
@@ -76,7 +87,7 @@ pub fn read_run(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Run, F
             scenario = scenario.with(option, value).map_err(|error| Failure::Input(format!("--{error}")))?;
         }
     }
-    Run::new(scenario).map_err(|error| in_file(path, &error))
+    Run::start(scenario).map_err(|error| in_file(path, &error))
 }
 
 /// A progress bar on a terminal, for what takes more than two seconds.
@@ -94,23 +105,39 @@ impl Progress {
     }
 
     fn show(&mut self, run: &Run) {
-        if self.bar.is_none() {
-            if self.begun.elapsed() < PATIENCE || !stderr().is_terminal() {
-                return;
-            }
-            let bar = ProgressBar::new(u64::from(run.scenario().world.steps()));
-            if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} steps, {eta} left") {
-                bar.set_style(style);
-            }
-            self.bar = Some(bar);
-        }
-        if let Some(bar) = &self.bar {
+        let steps = u64::from(run.scenario().world.steps());
+        if let Some(bar) = self.bar(steps, "{bar:40} {pos}/{len} steps, {eta} left") {
             bar.set_position(u64::from(run.tick()));
         }
     }
 
-    fn clear(&self) {
-        if let Some(bar) = &self.bar {
+    /// Shows how far a search is: of its budget, which it seldom needs, and what it found.
+    fn show_search(&mut self, start: &Start) {
+        let (WorldParams::Sequencing(params), Some(search)) = (&start.scenario().world, start.search()) else { return };
+        let template = "{bar:40} {pos}/{len} integrations at most, {msg}";
+        if let Some(bar) = self.bar(u64::from(params.budget), template) {
+            bar.set_position(search.counts.integrated);
+            let weight = search.weight;
+            let found = search.cost.map_or_else(|| "no plan yet".to_owned(), |cost| format!("a plan of {cost:.0} m"));
+            bar.set_message(format!("{found}, weight {weight}"));
+        }
+    }
+
+    /// The bar, once it is time for one.
+    fn bar(&mut self, length: u64, template: &str) -> Option<&ProgressBar> {
+        if self.bar.is_none() && self.begun.elapsed() >= PATIENCE && stderr().is_terminal() {
+            let bar = ProgressBar::new(length);
+            if let Ok(style) = ProgressStyle::with_template(template) {
+                bar.set_style(style);
+            }
+            self.bar = Some(bar);
+        }
+        self.bar.as_ref()
+    }
+
+    /// Takes the bar away; another may come.
+    fn clear(&mut self) {
+        if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }
     }

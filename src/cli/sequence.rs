@@ -1,12 +1,14 @@
-//! `sequence bench`: the variants of the search side by side on generated layouts.
+//! `sequence bench`: the variants of the search side by side on generated layouts. `sequence measure`: a scenario's own search
+//! on such layouts, for a program to read.
 
 use super::{Failure, in_file, print, read_file};
 use clap::Args;
-use std::path::PathBuf;
+use serde_json::json;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 use swarm_playground::random::Seed;
 use swarm_playground::scenario::{Scenario, WorldParams};
-use swarm_playground::sequencing::{Goal, Kernel, Method, Options, Search, SearchOutcome, Task};
+use swarm_playground::sequencing::{Goal, Kernel, Method, Options, Params, Search, SearchOutcome, Task};
 
 /// Arguments of `sequence bench`.
 #[derive(Args)]
@@ -25,6 +27,16 @@ pub struct BenchArguments {
     /// Also print each layout
     #[arg(long)]
     each: bool,
+}
+
+/// Arguments of `sequence measure`.
+#[derive(Args)]
+pub struct MeasureArguments {
+    /// A sequencing scenario; its seed and the next ones give the layouts
+    scenario: PathBuf,
+    /// Layouts
+    #[arg(long, default_value_t = 10)]
+    layouts: u64,
 }
 
 /// One layout searched by one variant.
@@ -49,18 +61,7 @@ pub fn bench(arguments: &BenchArguments) -> Result<(), Failure> {
         let value = serde_json::from_str(value).unwrap_or_else(|_| serde_json::Value::from(value));
         scenario = scenario.with(key, &value).map_err(|error| Failure::Input(format!("--{error}")))?;
     }
-    let WorldParams::Sequencing(params) = &scenario.world else {
-        return Err(in_file(&arguments.scenario, &"world: expected \"sequencing\""));
-    };
-    let mut tasks = Vec::new();
-    for number in 0..arguments.layouts {
-        let seed = Seed::new(scenario.seed.value() + number)
-            .ok_or_else(|| in_file(&arguments.scenario, &"seed: expected room for the layouts"))?;
-        let (_, wide) = params
-            .tasks(seed)
-            .map_err(|(field, message)| in_file(&arguments.scenario, &format!("{field}: {message}")))?;
-        tasks.push(wide);
-    }
+    let (params, tasks) = layouts(&arguments.scenario, &scenario, arguments.layouts)?;
     let base = Options { integrations: arguments.cap, ..params.options() };
     print(&format!("{} layouts, {} robots, w = {}, cap {}", tasks.len(), params.robots, base.weight, arguments.cap))?;
     print(
@@ -81,6 +82,48 @@ pub fn bench(arguments: &BenchArguments) -> Result<(), Failure> {
         }
     }
     tasks.first().map_or(Ok(()), kernel_speed)
+}
+
+/// The parameters of a scenario, and its tasks with margins for its seed and the next ones.
+fn layouts<'a>(path: &Path, scenario: &'a Scenario, count: u64) -> Result<(&'a Params, Vec<Task>), Failure> {
+    let WorldParams::Sequencing(params) = &scenario.world else {
+        return Err(in_file(path, &"world: expected \"sequencing\""));
+    };
+    let mut tasks = Vec::new();
+    for number in 0..count {
+        let seed = Seed::new(scenario.seed.value() + number)
+            .ok_or_else(|| in_file(path, &"seed: expected room for the layouts"))?;
+        let (_, wide) = params.tasks(seed).map_err(|(field, message)| in_file(path, &format!("{field}: {message}")))?;
+        tasks.push(wide);
+    }
+    Ok((params, tasks))
+}
+
+/// Searches each layout as the page does and prints seconds by the clock, counts and costs as one line of JSON.
+#[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
+pub fn measure_layouts(arguments: &MeasureArguments) -> Result<(), Failure> {
+    let path = &arguments.scenario;
+    let scenario = Scenario::read(&read_file(path)?).map_err(|error| in_file(path, &error))?;
+    let (params, tasks) = layouts(path, &scenario, arguments.layouts)?;
+    let mut rows = Vec::new();
+    for task in &tasks {
+        // With a list for drawing, so that native and page do the same.
+        let mut search =
+            params.search(task, true).map_err(|(field, message)| in_file(path, &format!("{field}: {message}")))?;
+        let begun = Instant::now();
+        let progress = search.advance(u64::MAX);
+        let seconds = begun.elapsed().as_secs_f64();
+        rows.push(json!({
+            "seconds": seconds,
+            "outcome": progress.outcome.map(SearchOutcome::text),
+            "plan": search.best().map(|plan| task.letters(&plan.sequence)),
+            "cost": progress.cost,
+            "lower_bound": search.lower_bound().filter(|bound| bound.is_finite()),
+            "integrated": progress.counts.integrated,
+            "expanded": progress.counts.expanded,
+        }));
+    }
+    print(&json!({ "layouts": rows }).to_string())
 }
 
 /// The variants of interest, with the scenario's weight and charges.
@@ -128,14 +171,15 @@ fn measure(task: &Task, options: Options) -> Row {
 
 /// Seconds on the processor, where the system tells, so that a busy machine does not show; otherwise by the clock.
 #[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
-fn cpu() -> f64 {
+pub(super) fn cpu() -> f64 {
     static BEGUN: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let nanoseconds = told.and_then(|told| told.split(' ').next()?.parse::<f64>().ok());
     nanoseconds.map_or_else(|| BEGUN.get_or_init(Instant::now).elapsed().as_secs_f64(), |told| told * 1e-9)
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+/// The middle of some values; 0 without any.
+pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
     match values.len() {

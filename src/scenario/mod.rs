@@ -8,7 +8,7 @@ mod run;
 mod timeline;
 
 pub use read::{ScenarioError, schema};
-pub use run::{Outcome, Run};
+pub use run::{Outcome, Run, Start};
 pub use timeline::Timeline;
 
 use crate::geese;

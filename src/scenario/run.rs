@@ -21,6 +21,20 @@ pub struct Run {
     world: World,
 }
 
+/// A run on its way to tick 0: a world that plans before its first step can do so in slices.
+#[derive(Clone, Debug)]
+pub struct Start {
+    scenario: Scenario,
+    state: Starting,
+}
+
+#[derive(Clone, Debug)]
+enum Starting {
+    Ready(World),
+    #[cfg(feature = "sequencing")]
+    Planning(Box<sequencing::Preparation>),
+}
+
 #[derive(Clone, Debug)]
 enum World {
     Geese(Box<geese::World>),
@@ -60,17 +74,29 @@ impl Run {
     /// # Errors
     /// The scenario's world cannot be built, for example because random genomes give no program of its grammar.
     pub fn new(scenario: Scenario) -> Result<Self, ScenarioError> {
-        let world = match &scenario.world {
-            WorldParams::Geese(params) => geese::World::new(params, scenario.seed).map(Box::new).map(World::Geese),
+        Ok(Self::start(scenario)?.run())
+    }
+
+    /// Begins to build the world of a scenario.
+    ///
+    /// # Errors
+    /// As [`Run::new`].
+    pub fn start(scenario: Scenario) -> Result<Start, ScenarioError> {
+        let state = match &scenario.world {
+            WorldParams::Geese(params) => {
+                geese::World::new(params, scenario.seed).map(|world| Starting::Ready(World::Geese(Box::new(world))))
+            }
             #[cfg(feature = "sequencing")]
             WorldParams::Sequencing(params) => {
-                sequencing::World::new(params, scenario.seed).map(Box::new).map(World::Sequencing)
+                sequencing::World::prepare(params, scenario.seed).map(|world| Starting::Planning(Box::new(world)))
             }
             #[cfg(feature = "soccer")]
-            WorldParams::Soccer(params) => soccer::World::new(params, scenario.seed).map(Box::new).map(World::Soccer),
+            WorldParams::Soccer(params) => {
+                soccer::World::new(params, scenario.seed).map(|world| Starting::Ready(World::Soccer(Box::new(world))))
+            }
         };
-        let world = world.map_err(|(field, message)| ScenarioError { path: field.to_owned(), message })?;
-        Ok(Self { params: scenario.world.clone(), scenario, next_event: 0, world })
+        let state = state.map_err(|(field, message)| ScenarioError { path: field.to_owned(), message })?;
+        Ok(Start { scenario, state })
     }
 
     /// What the run follows, with the changes made so far.
@@ -286,6 +312,57 @@ impl Run {
             self.next_event += 1;
         }
         self.tune();
+    }
+}
+
+impl Start {
+    /// Plans for up to `budget` integrations, in worlds that plan; returns whether the world is ready.
+    pub fn advance(&mut self, budget: u32) -> bool {
+        match &mut self.state {
+            Starting::Ready(_) => {}
+            #[cfg(feature = "sequencing")]
+            Starting::Planning(world) => {
+                world.advance(u64::from(budget));
+            }
+        }
+        self.is_ready()
+    }
+
+    /// Whether the world is ready: at once where nothing is planned.
+    #[must_use]
+    pub fn is_ready(&self) -> bool {
+        match &self.state {
+            Starting::Ready(_) => true,
+            #[cfg(feature = "sequencing")]
+            Starting::Planning(world) => world.progress().outcome.is_some(),
+        }
+    }
+
+    /// What is being started.
+    #[must_use]
+    pub fn scenario(&self) -> &Scenario {
+        &self.scenario
+    }
+
+    /// Where the search for a plan stands; `None` in a world that does not plan.
+    #[cfg(feature = "sequencing")]
+    #[must_use]
+    pub fn search(&self) -> Option<sequencing::Progress> {
+        match &self.state {
+            Starting::Ready(_) => None,
+            Starting::Planning(world) => Some(world.progress()),
+        }
+    }
+
+    /// The run at tick 0, after all planning that is still to be done.
+    #[must_use]
+    pub fn run(self) -> Run {
+        let world = match self.state {
+            Starting::Ready(world) => world,
+            #[cfg(feature = "sequencing")]
+            Starting::Planning(world) => World::Sequencing(Box::new(world.world())),
+        };
+        Run { params: self.scenario.world.clone(), scenario: self.scenario, next_event: 0, world }
     }
 }
 

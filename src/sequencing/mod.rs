@@ -58,4 +58,4 @@ pub use robust::{Robustness, jittered, robustness};
 pub use schema::parameters;
 pub use search::{Counts, Limit, Method, Options, Outcome as SearchOutcome, Plan, Progress, Search, Slot};
 pub use tasks::{Collision, Task, Touched};
-pub use world::{Fragility, Outcome, Solution, State, World, first_interval};
+pub use world::{Fragility, Outcome, Preparation, Solution, State, World, first_interval};

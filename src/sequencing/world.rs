@@ -6,7 +6,7 @@
 use super::dynamics::Kernel;
 use super::params::Params;
 use super::robust::{Robustness, robustness};
-use super::search::{self, Options, Search};
+use super::search::{self, Options, Progress, Search};
 use super::tasks::{Collision, Task, Touched};
 use crate::fingerprint::Fingerprint;
 use crate::random::Seed;
@@ -20,6 +20,15 @@ pub struct World {
     plan: Vec<u8>,
     state: State,
     kernel: Kernel,
+}
+
+/// A world on its way: its search, which can be made in slices.
+#[derive(Clone, Debug)]
+pub struct Preparation {
+    params: Params,
+    seed: Seed,
+    task: Task,
+    search: Search,
 }
 
 /// The state at one tick.
@@ -37,6 +46,9 @@ pub struct State {
 /// What a search came to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Solution {
+    /// How the search ended; `None` while it goes on.
+    #[serde(skip)]
+    pub outcome: Option<search::Outcome>,
     /// The outcome in words, see [`search::Outcome::text`].
     pub result: &'static str,
     /// The letters of the plan.
@@ -61,6 +73,8 @@ pub struct Solution {
     pub collided: u64,
     /// Entries left in the queue.
     pub open: usize,
+    /// Entries in the queue when they were most.
+    pub open_peak: usize,
     /// Sequences stored.
     pub nodes: usize,
     /// What the plan does from starts moved a little.
@@ -102,16 +116,29 @@ impl World {
     /// # Errors
     /// As [`Params::tasks`], and when the fixed beginning collides.
     pub fn new(params: &Params, seed: Seed) -> Result<Self, (&'static str, String)> {
+        Ok(Self::prepare(params, seed)?.world())
+    }
+
+    /// Builds the task of a scenario and begins its search.
+    ///
+    /// # Errors
+    /// As [`World::new`].
+    pub fn prepare(params: &Params, seed: Seed) -> Result<Preparation, (&'static str, String)> {
         let (task, wide) = params.tasks(seed)?;
-        let mut search = params.search(&wide, false)?;
-        search.advance(u64::MAX);
-        let solution = Solution::of(&search, &task, params, seed);
-        let plan = search.best().map_or_else(Vec::new, |plan| plan.sequence.clone());
-        let swarm = task.start().to_vec();
-        let mut marks = vec![0; task.words()];
-        let visited = task.mark_start(&swarm, &mut marks);
-        let state = State { tick: 0, swarm, marks, visited, lengths: vec![0.0; task.robots()] };
-        Ok(Self { kernel: Kernel::new(task.robots()), task, solution, plan, state })
+        let search = params.search(&wide, false)?;
+        Ok(Preparation { params: params.clone(), seed, task, search })
+    }
+
+    /// What the search came to.
+    #[must_use]
+    pub fn solution(&self) -> &Solution {
+        &self.solution
+    }
+
+    /// The plan, as indices of the library, one an interval; empty without one.
+    #[must_use]
+    pub fn plan(&self) -> &[u8] {
+        &self.plan
     }
 
     /// The task, without margins.
@@ -196,6 +223,33 @@ impl World {
     }
 }
 
+impl Preparation {
+    /// Searches for up to `budget` integrations; returns where the search stands.
+    pub fn advance(&mut self, budget: u64) -> Progress {
+        self.search.advance(budget)
+    }
+
+    /// Where the search stands.
+    #[must_use]
+    pub fn progress(&self) -> Progress {
+        self.search.progress()
+    }
+
+    /// Searches to the end or to the budget; returns the world at tick 0.
+    #[must_use]
+    pub fn world(mut self) -> World {
+        self.search.advance(u64::MAX);
+        let Self { params, seed, task, search } = self;
+        let solution = Solution::of(&search, &task, &params, seed);
+        let plan = search.best().map_or_else(Vec::new, |plan| plan.sequence.clone());
+        let swarm = task.start().to_vec();
+        let mut marks = vec![0; task.words()];
+        let visited = task.mark_start(&swarm, &mut marks);
+        let state = State { tick: 0, swarm, marks, visited, lengths: vec![0.0; task.robots()] };
+        World { kernel: Kernel::new(task.robots()), task, solution, plan, state }
+    }
+}
+
 impl State {
     /// Steps made so far.
     #[must_use]
@@ -252,6 +306,7 @@ impl Solution {
             Fragility { jitter: params.jitter, runs, feasible }
         });
         Self {
+            outcome: progress.outcome,
             result: progress.outcome.map_or("searching", search::Outcome::text),
             plan: plan.map(|plan| task.letters(&plan.sequence)),
             behaviours: names.collect(),
@@ -264,6 +319,7 @@ impl Solution {
             integrated: progress.counts.integrated,
             collided: progress.counts.collided,
             open: progress.open,
+            open_peak: progress.open_peak,
             nodes: progress.nodes,
             robustness,
             first_interval: if plan.is_none() { first_interval(search.task()) } else { Vec::new() },

@@ -72,6 +72,12 @@ pub(super) fn read_cells(fields: &Fields, presets: &Presets, study: &str) -> Res
             path,
         });
     }
+    if let Some(other) =
+        templates.iter().find(|other| other.scenario.world.name() != templates[0].scenario.world.name())
+    {
+        let [first, found] = [&templates[0], other].map(|template| template.scenario.world.name());
+        return fault(&other.path, format!("expected the world \"{first}\" of the first cell, found \"{found}\""));
+    }
     if templates.is_empty() {
         let Some(scenario) = base else {
             return fault(fields.at("scenario"), "expected a preset or a scenario, found no such field");
@@ -154,7 +160,8 @@ fn read_labels(value: Option<&Value>, path: &str) -> Result<BTreeMap<String, Str
     for (key, value) in value.map_or_else(|| Ok(Vec::new()), |value| entries(value, path))? {
         let path = format!("{path}.{key}");
         name(&Value::from(key), &path)?;
-        let is_taken = COLUMNS.contains(&key) || key.contains('.') || Metric::ALL.iter().any(|metric| metric.0 == key);
+        let is_taken =
+            COLUMNS.contains(&key) || key.contains('.') || Metric::all().iter().any(|metric| metric.0 == key);
         if is_taken {
             return fault(path, "expected a label that is no column of the results and has no point in it");
         }

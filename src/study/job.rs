@@ -4,24 +4,38 @@ use super::cells::Cell;
 use super::metrics::{Metric, Reached, advance, measure};
 use super::row::Row;
 use super::spec::Study;
-use crate::scenario::{Run, WorldParams};
+use crate::scenario::{Run, Start, WorldParams};
 
 /// A run of a study on its way.
 #[derive(Clone, Debug)]
 pub struct Job {
     metrics: Vec<Metric>,
     reached: Reached,
-    /// The world, or the row of a run whose world could not be built.
-    state: Result<Box<Run>, Row>,
+    state: State,
     run: u32,
 }
 
+#[derive(Clone, Debug)]
+enum State {
+    /// On its way to tick 0; taken out in the moment in which the run begins.
+    Starting(Option<Box<Start>>),
+    Running(Box<Run>),
+    /// The row of a run whose world could not be built.
+    Failed(Row),
+}
+
 impl Job {
-    /// Makes up to `steps` steps; returns whether the run is over.
+    /// Makes up to `steps` steps, of the search for a plan first if there is one; returns whether the run is over.
     pub fn advance(&mut self, steps: u32) -> bool {
         match &mut self.state {
-            Ok(world) => advance(world, &self.metrics, &mut self.reached, steps),
-            Err(_) => true,
+            State::Starting(start) => {
+                if let Some(start) = start.take_if(|start| start.advance(steps)) {
+                    self.state = State::Running(Box::new(start.run()));
+                }
+                false
+            }
+            State::Running(run) => advance(run, &self.metrics, &mut self.reached, steps),
+            State::Failed(_) => true,
         }
     }
 
@@ -29,11 +43,15 @@ impl Job {
     #[must_use]
     pub fn row(&self) -> Row {
         match &self.state {
-            Ok(world) => {
-                let metrics = measure(world, &self.metrics, &self.reached);
-                Row { run: self.run, metrics, end: Ok(world.fingerprint()) }
+            State::Running(run) => {
+                let metrics = measure(run, &self.metrics, &self.reached);
+                Row { run: self.run, metrics, end: Ok(run.fingerprint()) }
             }
-            Err(row) => row.clone(),
+            State::Starting(_) => {
+                let metrics = vec![None; self.metrics.len()];
+                Row { run: self.run, metrics, end: Err("the search is not over".to_owned()) }
+            }
+            State::Failed(row) => row.clone(),
         }
     }
 }
@@ -45,8 +63,11 @@ impl Study {
     #[must_use]
     pub fn start(&self, run: u32) -> Job {
         let (cell, seed) = self.job(run);
-        let state = Run::new(self.cells[cell].scenario_of(seed)).map(Box::new);
-        let state = state.map_err(|error| Row::failed(self, run, &error.to_string()));
+        let state = match Run::start(self.cells[cell].scenario_of(seed)) {
+            Ok(start) if start.is_ready() => State::Running(Box::new(start.run())),
+            Ok(start) => State::Starting(Some(Box::new(start))),
+            Err(error) => State::Failed(Row::failed(self, run, &error.to_string())),
+        };
         Job { metrics: self.metrics.clone(), reached: Reached::default(), state, run }
     }
 

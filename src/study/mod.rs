@@ -22,7 +22,7 @@ pub use claims::Claims;
 pub use fields::StudyError;
 pub use job::Job;
 pub use metrics::{Form, Metric};
-pub use plan::{Figure, FigureKind, PaperValue, Test, TestKind};
+pub use plan::{Figure, FigureKind, PaperSeconds, PaperValue, Test, TestKind};
 pub use report::{Report, Section, figure, report};
 pub use results::{Results, ResultsError};
 pub use row::Row;

@@ -1,6 +1,6 @@
 //! What the report of a study is to contain: tests, a figure, and the paper's values.
 
-use super::fields::{Fields, StudyError, elements, entries, fault, one_of};
+use super::fields::{Fields, StudyError, elements, entries, fault, one_of, text};
 use super::metrics::{Form, Metric};
 use super::spec::Study;
 use crate::parameter::shown;
@@ -70,6 +70,15 @@ pub struct PaperValue {
     pub value: f64,
 }
 
+/// The seconds that the paper's program took to search. They are no metric: seconds are the machine's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PaperSeconds {
+    /// The machine, in words.
+    pub machine: String,
+    /// Cells by their places, each with its seconds.
+    pub cells: Vec<(usize, f64)>,
+}
+
 const MOST_TESTS: usize = 100;
 
 pub(super) fn read_tests(fields: &Fields, study: &Study) -> Result<Vec<Test>, StudyError> {
@@ -97,8 +106,7 @@ fn read_test(value: &Value, path: &str, study: &Study) -> Result<Test, StudyErro
     }
     let kind = match kind {
         0 if metric.form() != Form::Flag => {
-            let message = format!("expected \"success\", which is 0 or 1, found \"{}\"", metric.name());
-            return fault(fields.at("metric"), message);
+            return fault(fields.at("metric"), no_flag(metric, study));
         }
         0 => TestKind::Proportions(pair),
         1 => TestKind::MannWhitney(pair),
@@ -109,6 +117,14 @@ fn read_test(value: &Value, path: &str, study: &Study) -> Result<Test, StudyErro
         }
     };
     Ok(Test { metric, kind })
+}
+
+/// What is wrong with a metric where only one that is 0 or 1 can stand.
+fn no_flag(metric: Metric, study: &Study) -> String {
+    let known = Metric::of_world(&study.cells[0].scenario.world);
+    let flags = known.iter().filter(|(_, metric)| metric.form() == Form::Flag);
+    let names: Vec<String> = flags.map(|(name, _)| format!("\"{name}\"")).collect();
+    format!("expected {}, which is 0 or 1, found \"{}\"", names.join(" or "), metric.name())
 }
 
 /// One of the study's own metrics.
@@ -134,8 +150,7 @@ pub(super) fn read_figure(fields: &Fields, study: &Study) -> Result<Option<Figur
     };
     let (x, group) = (factor("x")?, factor("group")?);
     if kind == FigureKind::Proportion && metric.form() != Form::Flag {
-        let message = format!("expected \"success\", which is 0 or 1, found \"{}\"", metric.name());
-        return fault("figure.metric", message);
+        return fault("figure.metric", no_flag(metric, study));
     }
     if kind == FigureKind::Curve {
         let Some(x) = &x else { return fault("figure.x", "expected a factor whose values are numbers") };
@@ -162,6 +177,20 @@ pub(super) fn read_paper(fields: &Fields, study: &Study) -> Result<Vec<PaperValu
     }
     values.sort_by_key(|value| value.cell);
     Ok(values)
+}
+
+pub(super) fn read_seconds(fields: &Fields, study: &Study) -> Result<Option<PaperSeconds>, StudyError> {
+    let Some(value) = fields.get("seconds") else { return Ok(None) };
+    let fields = Fields::of(value, "seconds", &["machine", "cells"])?;
+    let machine = text(fields.need("machine", "the machine in words")?, &fields.at("machine"))?;
+    let given = entries(fields.need("cells", "seconds by cells")?, &fields.at("cells"))?;
+    let cells = given.into_iter().map(|(name, seconds)| {
+        let path = format!("seconds.cells.{name}");
+        Ok((study.cell(&Value::from(name), &path)?, number(seconds, &path)?))
+    });
+    let mut cells = cells.collect::<Result<Vec<_>, StudyError>>()?;
+    cells.sort_by_key(|(cell, _)| *cell);
+    Ok(Some(PaperSeconds { machine, cells }))
 }
 
 impl Test {

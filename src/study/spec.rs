@@ -3,12 +3,12 @@
 use super::cells::{Cell, Presets, parameter_keys, plain, read_cells, with};
 use super::fields::{Fields, StudyError, elements, fault};
 use super::metrics::Metric;
-use super::plan::{Figure, PaperValue, Test, read_figure, read_paper, read_tests};
+use super::plan::{Figure, PaperSeconds, PaperValue, Test, read_figure, read_paper, read_seconds, read_tests};
 use crate::fingerprint::Fingerprint;
 use crate::nearest::nearest;
 use crate::parameter::shown;
 use crate::random::Seed;
-use crate::scenario::Scenario;
+use crate::scenario::{Scenario, WorldParams};
 use serde_json::{Map, Value, json};
 
 /// A study, read and complete: it needs no presets any more.
@@ -34,6 +34,8 @@ pub struct Study {
     pub figure: Option<Figure>,
     /// What the paper says.
     pub paper: Vec<PaperValue>,
+    /// How long its searches took, and on what.
+    pub seconds: Option<PaperSeconds>,
     /// The smaller sizes that the file gives.
     sizes: [Option<Smaller>; 2],
 }
@@ -60,14 +62,16 @@ impl Size {
 struct Smaller {
     seeds: Option<u32>,
     steps: Option<u32>,
+    /// Of integrations, in worlds that plan.
+    budget: Option<u32>,
 }
 
 /// The version whose results these are; results of different versions never mix.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-const FIELDS: [&str; 13] = [
+const FIELDS: [&str; 14] = [
     "study", "title", "about", "scenario", "cells", "grid", "seeds", "steps", "metrics", "sizes", "tests", "figure",
-    "paper",
+    "paper", "seconds",
 ];
 const MOST_SEEDS: u32 = 10_000;
 
@@ -107,7 +111,7 @@ impl Study {
         let name = read_name(fields.need("study", "a name")?)?;
         let cells = read_cells(&fields, presets, &name)?;
         let (first_seed, seeds) = read_seeds(&fields)?;
-        let metrics = read_metrics(&fields)?;
+        let metrics = read_metrics(&fields, &cells[0].scenario.world)?;
         let mut study = Self {
             name,
             title: fields.text("title")?,
@@ -119,11 +123,13 @@ impl Study {
             tests: Vec::new(),
             figure: None,
             paper: Vec::new(),
+            seconds: None,
             sizes: read_sizes(&fields)?,
         };
         study.tests = read_tests(&fields, &study)?;
         study.figure = read_figure(&fields, &study)?;
         study.paper = read_paper(&fields, &study)?;
+        study.seconds = read_seconds(&fields, &study)?;
         for (size, _) in Size::ALL.iter().filter(|size| size.1 != Size::Paper) {
             study.sized_as(size).map_or(Ok(()), |sized| sized.map(|_| ()))?;
         }
@@ -146,13 +152,15 @@ impl Study {
 
     fn sized_as(&self, name: &str) -> Option<Result<Self, StudyError>> {
         let at = Size::ALL.iter().position(|size| size.0 == name)?;
-        let Smaller { seeds, steps } = (*self.sizes.get(at)?)?;
+        let Smaller { seeds, steps, budget } = (*self.sizes.get(at)?)?;
         let mut sized = Self { sizes: [None; 2], seeds: seeds.unwrap_or(self.seeds), ..self.clone() };
-        for cell in sized.cells.iter_mut().filter(|_| steps.is_some()) {
-            let path = format!("sizes.{name}.steps");
-            match with(&cell.scenario, &[("steps".to_owned(), path.clone(), &json!(steps))], &path) {
-                Ok(scenario) => cell.scenario = scenario,
-                Err(error) => return Some(Err(error)),
+        for (field, value) in [("steps", steps), ("budget", budget)].into_iter().filter(|(_, value)| value.is_some()) {
+            let path = format!("sizes.{name}.{field}");
+            for cell in &mut sized.cells {
+                match with(&cell.scenario, &[(field.to_owned(), path.clone(), &json!(value))], &path) {
+                    Ok(scenario) => cell.scenario = scenario,
+                    Err(error) => return Some(Err(error)),
+                }
             }
         }
         Some(Ok(sized))
@@ -216,7 +224,7 @@ impl Study {
     }
 
     /// A fingerprint of all that decides a row of the results: each cell's name, labels and whole scenario, the first seed,
-    /// and the metrics. Words, tests, figure, the paper's values and the number of seeds are left out: to change
+    /// and the metrics. Words, tests, figure, the paper's values and times, and the number of seeds are left out: to change
     /// them costs no run.
     #[must_use]
     pub fn hash(&self) -> u64 {
@@ -263,6 +271,10 @@ impl Study {
             }
             value["paper"] = Value::Object(cells);
         }
+        if let Some(PaperSeconds { machine, cells }) = &self.seconds {
+            let cells = cells.iter().map(|(cell, seconds)| (self.cells[*cell].name.clone(), json!(seconds)));
+            value["seconds"] = json!({"machine": machine, "cells": cells.collect::<Map<_, _>>()});
+        }
         value
     }
 
@@ -299,11 +311,25 @@ fn read_seeds(fields: &Fields) -> Result<(u64, u32), StudyError> {
     Ok((first, count as u32))
 }
 
-fn read_metrics(fields: &Fields) -> Result<Vec<Metric>, StudyError> {
-    let value = fields.need("metrics", "a list of metrics such as [\"share\", \"success\"]")?;
+/// Reads `metrics`, all of them of the study's world.
+fn read_metrics(fields: &Fields, world: &WorldParams) -> Result<Vec<Metric>, StudyError> {
+    let known = Metric::of_world(world);
+    let some: Vec<String> = known.iter().take(2).map(|(name, _)| format!("\"{name}\"")).collect();
+    let value = fields.need("metrics", &format!("a list of metrics such as [{}]", some.join(", ")))?;
     let mut metrics = Vec::new();
-    for (path, value) in elements(value, "metrics", Metric::ALL.len())? {
-        let metric = *super::fields::one_of(value, &path, &Metric::ALL)?;
+    for (path, value) in elements(value, "metrics", known.len())? {
+        let other = Metric::all().into_iter().find(|(name, metric)| value == name && metric.world() != world.name());
+        if let Some((name, other)) = other {
+            let names: Vec<String> = known.iter().map(|(name, _)| format!("\"{name}\"")).collect();
+            let message = format!(
+                "expected a metric of the world \"{}\", one of {}, found \"{name}\" of the world \"{}\"",
+                world.name(),
+                names.join(", "),
+                other.world()
+            );
+            return fault(path, message);
+        }
+        let metric = *super::fields::one_of(value, &path, &known)?;
         if metrics.contains(&metric) {
             return fault(path, format!("expected each metric once, found \"{}\" twice", metric.name()));
         }
@@ -318,10 +344,11 @@ fn read_sizes(fields: &Fields) -> Result<[Option<Smaller>; 2], StudyError> {
     let given = Fields::of(value, "sizes", &["glance", "class"])?;
     for (place, (name, _)) in sizes.iter_mut().zip(Size::ALL) {
         let Some(value) = given.get(name) else { continue };
-        let size = Fields::of(value, &given.at(name), &["seeds", "steps"])?;
+        let size = Fields::of(value, &given.at(name), &["seeds", "steps", "budget"])?;
         let seeds = size.whole("seeds", 1..=u64::from(MOST_SEEDS))?.map(|seeds| seeds as u32);
         let steps = size.whole("steps", 1..=u64::from(u32::MAX))?.map(|steps| steps as u32);
-        *place = Some(Smaller { seeds, steps });
+        let budget = size.whole("budget", 1..=u64::from(u32::MAX))?.map(|budget| budget as u32);
+        *place = Some(Smaller { seeds, steps, budget });
     }
     Ok(sizes)
 }

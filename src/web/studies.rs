@@ -11,9 +11,8 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen]
 #[must_use]
 pub fn metrics() -> String {
-    let metric =
-        |(name, metric): &(&str, study::Metric)| json!({"name": name, "label": metric.label(), "help": metric.help()});
-    Value::Array(study::Metric::ALL.iter().map(metric).collect()).to_string()
+    let metric = |(name, metric): &(&str, study::Metric)| json!({"name": name, "world": metric.world(), "label": metric.label(), "help": metric.help()});
+    Value::Array(study::Metric::all().iter().map(metric).collect()).to_string()
 }
 
 /// What a study file says, as JSON: `{"outline": ...}` with its words, cells, factors and the runs of each size, or
@@ -35,12 +34,17 @@ pub fn check(spec: &str, presets: &str) -> Result<String, JsError> {
             "hash": format!("{:016x}", sized.hash())}))
     };
     let outline = json!({
-        "name": study.name, "title": study.title, "about": study.about,
+        "name": study.name, "title": study.title, "about": study.about, "world": world_of(&study),
         "cells": study.cells.iter().map(|cell| cell.name.as_str()).collect::<Vec<_>>(),
         "factors": study.factors(),
         "sizes": study::Size::ALL.iter().filter_map(size).collect::<Vec<_>>(),
     });
     Ok(json!({"outline": outline}).to_string())
+}
+
+/// The name of the world that all cells of a study are of.
+fn world_of(study: &study::Study) -> &'static str {
+    study.cells[0].scenario.world.name()
 }
 
 fn with_presets<T>(presets: &str, read: impl FnOnce(&study::Presets) -> T) -> Result<T, JsError> {
@@ -91,6 +95,7 @@ impl Study {
     pub fn plan(&self) -> String {
         let study = self.empty.study();
         let plan = json!({
+            "world": world_of(study),
             "cells": study.cells.iter().map(|cell| cell.name.as_str()).collect::<Vec<_>>(),
             "runs": study.run_count(),
             "seeds": study.seeds,

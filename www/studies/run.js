@@ -215,7 +215,7 @@ export function createStudyRun({ desk, store, state, speed, spawn, module, say }
     if (!run.plan) return;
     const cell = number % run.plan.cells.length;
     timed.push({ cell, seconds });
-    speed.note(run.plan.robot_steps[cell], seconds);
+    speed.note(run.plan.world, run.plan.robot_steps[cell], seconds);
     take(number, line);
   }
 

@@ -35,10 +35,16 @@ export function createStudySession({ desk, run, address, files, version, schema,
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let typing;
 
+  /** Whether something is of the study's world; while nothing was valid yet, everything is. @param {string} world */
+  const ours = (world) => session.outline === null || session.outline.world === world;
+
   const session = {
     version,
     schema,
-    metrics,
+    /** The parameters of the study's world. */
+    parameters: () => schema.filter(({ key }) => !key.includes('.') || ours(key.slice(0, key.indexOf('.')))),
+    /** The metrics of the study's world. */
+    metrics: () => metrics.filter(({ world }) => ours(world)),
     /** Whether the list is on screen. */
     list: true,
     /** @type {string | null} the study file that the text began as */

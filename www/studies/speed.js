@@ -10,28 +10,42 @@ const NAME = 'studies-speed';
 /** @typedef {{ cell: number, seconds: number }} Timed a run that was made here */
 
 /**
- * What this computer's workers have made per second, in robots times steps, one number a run.
+ * What this computer's workers have made per second, in robots times steps, one number a run, for each world.
  */
 export function createSpeed() {
-  const kept = (recall(NAME) ?? '').split(' ').map(Number).filter((rate) => Number.isFinite(rate) && rate > 0);
+  /** @type {Map<string, number[]>} */
+  const worlds = new Map();
+
+  /** @param {string} world */
+  function ratesOf(world) {
+    const rates = worlds.get(world) ?? (recall(`${NAME}-${world}`) ?? '').split(' ').map(Number).filter((rate) => Number.isFinite(rate) && rate > 0);
+    worlds.set(world, rates);
+    return rates;
+  }
 
   return {
-    /** @param {number} robotSteps @param {number} seconds */
-    note(robotSteps, seconds) {
+    /** @param {string} world @param {number} robotSteps @param {number} seconds */
+    note(world, robotSteps, seconds) {
       if (seconds <= 0 || robotSteps <= 0) return;
+      const kept = ratesOf(world);
       kept.push(Math.round(robotSteps / seconds));
       kept.splice(0, kept.length - KEPT);
-      remember(NAME, kept.join(' '));
+      remember(`${NAME}-${world}`, kept.join(' '));
     },
 
+    /** Whether times can be named for a world. @param {string} world */
+    knows: (world) => ratesOf(world).length >= ENOUGH,
+
     /**
-     * How long so much takes with so many workers; null before enough runs were made here.
+     * How long so much takes with so many workers; null before enough runs of that world were made here.
      *
+     * @param {string} world
      * @param {number} robotSteps
      * @param {number} workers
      * @returns {Range | null}
      */
-    estimate(robotSteps, workers) {
+    estimate(world, robotSteps, workers) {
+      const kept = ratesOf(world);
       if (kept.length < ENOUGH) return null;
       const [slow, fast] = spread(kept);
       return [robotSteps / (fast * workers), robotSteps / (slow * workers)];

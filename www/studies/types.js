@@ -18,11 +18,13 @@
  * @property {string} name
  * @property {string} title
  * @property {string} about
+ * @property {string} world that all cells are of
  * @property {string[]} cells
  * @property {string[]} factors what the cells differ in
  * @property {SizeOutline[]} sizes those that the study has
  *
  * @typedef {object} Plan what there is to do; run `i` is of cell `i` modulo the cells
+ * @property {string} world
  * @property {string[]} cells
  * @property {number} runs
  * @property {number} seeds
@@ -55,6 +57,7 @@
  *
  * @typedef {object} MetricWords
  * @property {string} name
+ * @property {string} world that it measures
  * @property {string} label
  * @property {string} help
  */

@@ -177,6 +177,8 @@ pub struct Progress {
     pub counts: Counts,
     /// Entries in the queue.
     pub open: usize,
+    /// Entries in the queue when they were most.
+    pub open_peak: usize,
     /// Nodes stored.
     pub nodes: usize,
     /// Bytes taken, about.

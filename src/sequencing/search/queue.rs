@@ -84,6 +84,7 @@ pub struct Queue {
     first_in_first_out: bool,
     weight: f64,
     open: usize,
+    peak: usize,
 }
 
 impl Queue {
@@ -91,13 +92,19 @@ impl Queue {
     #[must_use]
     pub fn new(weight: f64, has_second: bool, first_in_first_out: bool) -> Self {
         let (anchor, second) = (BinaryHeap::new(), BinaryHeap::new());
-        Self { entries: Vec::new(), anchor, second, has_second, first_in_first_out, weight, open: 0 }
+        Self { entries: Vec::new(), anchor, second, has_second, first_in_first_out, weight, open: 0, peak: 0 }
     }
 
     /// How many entries are open.
     #[must_use]
     pub fn open(&self) -> usize {
         self.open
+    }
+
+    /// How many were open when they were most.
+    #[must_use]
+    pub fn peak(&self) -> usize {
+        self.peak
     }
 
     /// Bytes taken, about.
@@ -116,6 +123,7 @@ impl Queue {
         }
         self.entries.push(entry);
         self.open += 1;
+        self.peak = self.peak.max(self.open);
     }
 
     fn item(&self, id: u32, entry: &Entry, key: f64) -> Item {

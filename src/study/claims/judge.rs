@@ -78,6 +78,7 @@ pub fn judge(evidence: &Evidence, results: &BTreeMap<String, Results>) -> Result
         Kind::Below(_, value) => format!("below {}", of_metric(metric, *value)),
         Kind::Above(_, value) => format!("above {}", of_metric(metric, *value)),
         Kind::Greater(..) => "greater".to_owned(),
+        Kind::NeverAbove(_, value) => format!("never above {}", of_metric(metric, *value)),
     };
     let nothing = |verdict| Judged {
         paper: paper.clone(),
@@ -122,6 +123,22 @@ pub fn judge(evidence: &Evidence, results: &BTreeMap<String, Results>) -> Result
                 verdict,
             })
         }
+        Kind::NeverAbove(cell, value) => {
+            let sample = sample(cell)?;
+            let Some(all) = Summary::of(&sample.values) else { return Ok(nothing(Verdict::Open)) };
+            let verdict = match all.greatest <= *value {
+                false => Verdict::Not,
+                true if sample.values.len() < ENOUGH => Verdict::Open,
+                true => Verdict::Reproduced,
+            };
+            Ok(Judged {
+                paper,
+                ours: format!("{} at most", of_metric(metric, all.greatest)),
+                interval: String::new(),
+                runs: runs(&sample),
+                verdict,
+            })
+        }
         Kind::Equals(cell, value) | Kind::Below(cell, value) | Kind::Above(cell, value) => {
             let sample = sample(cell)?;
             let Some(ours) = estimate(&sample, metric) else { return Ok(nothing(Verdict::Open)) };
@@ -134,17 +151,21 @@ pub fn judge(evidence: &Evidence, results: &BTreeMap<String, Results>) -> Result
                 Kind::Below(..) | Kind::Above(..) if is_in => Verdict::Open,
                 _ => Verdict::Not,
             };
-            let never =
-                if sample.never > 0 { format!(", {} never", number(f64::from(sample.never))) } else { String::new() };
             Ok(Judged {
                 paper,
                 ours: of_metric(metric, ours.value),
                 interval: interval(metric, &ours),
-                runs: format!("{}{never}", sample.values.len()),
+                runs: runs(&sample),
                 verdict,
             })
         }
     }
+}
+
+/// How many runs there are, and how many more in which the metric never came about.
+fn runs(sample: &Sample) -> String {
+    let never = if sample.never > 0 { format!(", {} never", number(f64::from(sample.never))) } else { String::new() };
+    format!("{}{never}", sample.values.len())
 }
 
 fn estimate(sample: &Sample, metric: Metric) -> Option<Estimate> {

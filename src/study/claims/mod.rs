@@ -50,6 +50,8 @@ enum Kind {
     Below(String, f64),
     /// More than a value.
     Above(String, f64),
+    /// At most a value, in every single run.
+    NeverAbove(String, f64),
     /// The first cell has more than the second.
     Greater(String, String),
 }
@@ -58,7 +60,8 @@ const MOST: usize = 200;
 const RULES: &str = "How a verdict is found. **A value** is reproduced when it lies within the 95 % interval of ours (Wilson's \
     for shares of successes, Student's t for means) of at least 16 runs. **A bound** is reproduced when the whole interval lies on \
     its side. **A contrast** is reproduced when the test for it gives p below 0.05 (Fisher's exact test for successes, \
-    the Mann-Whitney U test otherwise, one-sided); it is reversed when the opposite does. Anything else is open or not \
+    the Mann-Whitney U test otherwise, one-sided); it is reversed when the opposite does. **A promise** is reproduced when none \
+    of at least 16 runs breaks it. Anything else is open or not \
     reproduced, as the table says. p values are not corrected for the number of claims.";
 
 impl Claims {
@@ -95,10 +98,11 @@ impl Claims {
     /// The document, as Markdown.
     ///
     /// - `results`: by the names of their studies; a study without any is listed as not run.
+    /// - `file`: where the claims stand, for the command that makes the document.
     ///
     /// # Errors
     /// A claim names a cell or a metric that its study does not have.
-    pub fn document(&self, results: &BTreeMap<String, Results>) -> Result<String, StudyError> {
+    pub fn document(&self, results: &BTreeMap<String, Results>, file: &str) -> Result<String, StudyError> {
         let judged: Vec<Vec<Judged>> = self
             .list
             .iter()
@@ -107,7 +111,7 @@ impl Claims {
         let mut parts = vec![format!("# {}", self.title)];
         parts.extend(Some(self.about.clone()).filter(|about| !about.is_empty()));
         parts.push(RULES.to_owned());
-        parts.push(self.made_of(results));
+        parts.push(self.made_of(results, file));
         parts.push(format!("## At a glance\n\n{}", self.summary(&judged)));
         for (claim, judged) in self.list.iter().zip(&judged) {
             parts.push(format!("## {}: {}", claim.id, claim.sentence));
@@ -122,7 +126,7 @@ impl Claims {
     }
 
     /// Which studies, how much of each, and how to make them again.
-    fn made_of(&self, results: &BTreeMap<String, Results>) -> String {
+    fn made_of(&self, results: &BTreeMap<String, Results>, file: &str) -> String {
         let rows: Vec<Vec<String>> = self
             .studies()
             .into_iter()
@@ -140,7 +144,7 @@ impl Claims {
             })
             .collect();
         let columns = ["study", "cells x seeds", "steps", "command, after `cargo run --release --`"];
-        format!("{}\n\nThis document: `cargo run --release -- reproduction`.", table(&columns, &rows))
+        format!("{}\n\nThis document: `cargo run --release -- reproduction {file}`.", table(&columns, &rows))
     }
 
     /// One line a claim, one column a profile.
@@ -171,7 +175,7 @@ impl Claims {
 
 fn row(evidence: &Evidence, judged: &Judged) -> Vec<String> {
     let what = match &evidence.kind {
-        Kind::Equals(cell, _) | Kind::Below(cell, _) | Kind::Above(cell, _) => cell.clone(),
+        Kind::Equals(cell, _) | Kind::Below(cell, _) | Kind::Above(cell, _) | Kind::NeverAbove(cell, _) => cell.clone(),
         Kind::Greater(first, second) => format!("{first} over {second}"),
     };
     let metric = evidence.metric.label().to_lowercase();
@@ -201,8 +205,9 @@ fn read_claim(value: &Value, path: &str) -> Result<Claim, StudyError> {
 }
 
 fn read_evidence(value: &Value, path: String) -> Result<Evidence, StudyError> {
-    const KINDS: [&str; 4] = ["equals", "below", "above", "greater"];
-    let fields = Fields::of(value, &path, &["study", "profile", "metric", "equals", "below", "above", "greater"])?;
+    const KINDS: [&str; 5] = ["equals", "below", "above", "greater", "never_above"];
+    let known: Vec<&str> = ["study", "profile", "metric"].into_iter().chain(KINDS).collect();
+    let fields = Fields::of(value, &path, &known)?;
     let given: Vec<&str> = KINDS.into_iter().filter(|kind| fields.get(kind).is_some()).collect();
     let [kind] = given[..] else {
         return fault(path, format!("expected one of {}, found {}", KINDS.join(", "), given.len()));
@@ -230,11 +235,12 @@ fn read_evidence(value: &Value, path: String) -> Result<Evidence, StudyError> {
         match kind {
             "equals" => Kind::Equals(own, number),
             "below" => Kind::Below(own, number),
+            "never_above" => Kind::NeverAbove(own, number),
             _ => Kind::Above(own, number),
         }
     };
     let study = name(fields.need("study", "the name of a study")?, &fields.at("study"))?;
-    let profile = name(fields.need("profile", "paper, published or robust")?, &fields.at("profile"))?;
-    let metric = *one_of(fields.need("metric", "a metric")?, &fields.at("metric"), &Metric::ALL)?;
+    let profile = name(fields.need("profile", "the name of a setting")?, &fields.at("profile"))?;
+    let metric = *one_of(fields.need("metric", "a metric")?, &fields.at("metric"), &Metric::all())?;
     Ok(Evidence { path, study, profile, metric, kind })
 }

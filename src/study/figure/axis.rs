@@ -1,7 +1,7 @@
 //! The axes of a figure.
 
 use super::canvas::{BOTTOM, Canvas, LEFT, RIGHT, TOP};
-use crate::study::metrics::{Form, Metric};
+use crate::study::metrics::Form;
 
 /// An axis of numbers.
 #[derive(Clone, Debug)]
@@ -15,9 +15,9 @@ pub struct Upward {
 }
 
 impl Upward {
-    /// The axis of a metric: from 0 to 100 % for shares, otherwise round numbers around the values.
-    pub fn of(metric: Metric, values: impl Iterator<Item = f64>, ends: [f64; 2]) -> Self {
-        if metric.form() != Form::Number {
+    /// The axis of numbers of a form: from 0 to 100 % for shares, otherwise round numbers around the values.
+    pub fn of(form: Form, values: impl Iterator<Item = f64>, ends: [f64; 2]) -> Self {
+        if form != Form::Number {
             return Self { low: 0.0, high: 1.0, step: 0.2, ends, in_per_cent: true };
         }
         let (least, most) =

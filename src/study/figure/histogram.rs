@@ -3,14 +3,14 @@
 use super::Chart;
 use super::axis::Upward;
 use super::canvas::{BOTTOM, Canvas, LEFT, RIGHT, TOP, colour};
-use crate::study::metrics::Metric;
+use crate::study::metrics::{Form, Metric};
 
 /// Bins across the axis.
 const BINS: usize = 20;
 
 /// Draws the histogram with its axes.
 pub fn draw(canvas: &mut Canvas, chart: &Chart, metric: Metric) {
-    let across = Upward::of(metric, chart.values(), [LEFT, RIGHT]);
+    let across = Upward::of(metric.form(), chart.values(), [LEFT, RIGHT]);
     for (value, word) in across.ticks() {
         canvas.line([across.at(value), BOTTOM], [across.at(value), BOTTOM + 5.0], "axis");
         canvas.text([across.at(value), BOTTOM + 34.0], "middle", &word);
@@ -18,7 +18,7 @@ pub fn draw(canvas: &mut Canvas, chart: &Chart, metric: Metric) {
     canvas.line([LEFT, BOTTOM], [RIGHT, BOTTOM], "axis");
     canvas.text([f64::midpoint(LEFT, RIGHT), BOTTOM + 58.0], "middle", metric.label());
     let shares: Vec<[f64; BINS]> = (0..chart.groups.len()).map(|group| shares(chart, group, &across)).collect();
-    let upward = Upward::of(Metric::Share, std::iter::empty(), [BOTTOM, TOP]);
+    let upward = Upward::of(Form::Share, std::iter::empty(), [BOTTOM, TOP]);
     upward.draw(canvas, "Share of the runs");
     let bin = (RIGHT - LEFT) / BINS as f64;
     for (group, shares) in shares.iter().enumerate() {

@@ -80,7 +80,7 @@ pub(super) fn draw(study: &Study, figure: &Figure, cells: &[Vec<f64>], extent: &
     if figure.kind == FigureKind::Histogram {
         histogram::draw(&mut canvas, &chart, metric);
     } else {
-        let upward = Upward::of(metric, chart.values(), [BOTTOM, TOP]);
+        let upward = Upward::of(metric.form(), chart.values(), [BOTTOM, TOP]);
         let lines = matches!(figure.kind, FigureKind::Curve | FigureKind::Proportion);
         let across = Across::of(&chart.places, lines, [LEFT, RIGHT]);
         let x_title = x_title.unwrap_or_default();

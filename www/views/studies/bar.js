@@ -52,7 +52,7 @@ export function createStudyBar({ pane, run, session, state, speed, cores }) {
     const exact = run.timeLeft();
     if (exact) return text.bar.left(exact);
     const robotSteps = missing.reduce((all, number) => all + plan.robot_steps[number % plan.cells.length], 0);
-    const range = speed.estimate(robotSteps, Math.min(run.workers, missing.length));
+    const range = speed.estimate(plan.world, robotSteps, Math.min(run.workers, missing.length));
     if (range) return text.bar.about(range);
     return state.name === 'busy' ? text.bar.unknown : '';
   }

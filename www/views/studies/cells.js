@@ -34,7 +34,7 @@ export function createCells({ session, presets, change, rename }) {
       value?.scenario === undefined
         ? labelled([...path, 'preset'], text.form.preset, choiceField(own, value?.preset ?? '', (chosen) => change([...path, 'preset'], chosen === '' ? undefined : chosen)))
         : h('p', { class: 'secondary' }, text.form.whole),
-      createSettings({ path: [...path, 'set'], values: value?.set, schema: session.schema, legend: text.form.settings, change }),
+      createSettings({ path: [...path, 'set'], values: value?.set, schema: session.parameters(), legend: text.form.settings, change }),
       labels([...path, 'labels'], value?.labels ?? {}),
       button(text.form.removeCell, () => change(path, undefined)),
       h('p', { class: 'field-error' }),

@@ -45,7 +45,7 @@ export function createStudyForm({ pane, session, presets }) {
         labelled(['about'], text.form.about, textField(draft.about, (typed) => change(['about'], typed === '' ? undefined : typed), { long: true })),
       ]),
       part('scenario', text.form.scenario, true, scenario(draft.scenario)),
-      part('grid', text.form.grid, true, [createSettings({ path: ['grid'], values: draft.grid, schema: session.schema, legend: text.form.gridLong, grid: true, change })]),
+      part('grid', text.form.grid, true, [createSettings({ path: ['grid'], values: draft.grid, schema: session.parameters(), legend: text.form.gridLong, grid: true, change })]),
       part('cells', text.form.cells, false, createCells({ session, presets: choices, change: (path, value) => change(path, path.length === 2 && value === undefined && draft.cells.length === 1 ? undefined : value), rename })),
       part('runs', text.form.runs, true, runs(draft)),
       part('metrics', text.form.metrics, false, metrics(draft.metrics)),
@@ -61,7 +61,7 @@ export function createStudyForm({ pane, session, presets }) {
   /** @param {any} value */
   function scenario(value) {
     const path = ['scenario'];
-    const settings = (/** @type {Path} */ inside, /** @type {any} */ values, prefix = '') => createSettings({ path: inside, values, schema: session.schema, legend: text.form.settings, prefix, change });
+    const settings = (/** @type {Path} */ inside, /** @type {any} */ values, prefix = '') => createSettings({ path: inside, values, schema: session.parameters(), legend: text.form.settings, prefix, change });
     if (value === undefined || value?.preset !== undefined) {
       const own = value === undefined ? [{ value: '', label: text.form.noScenario }, ...choices] : choices;
       const preset = choiceField(own, value?.preset ?? '', (chosen) => change([...path, 'preset'], chosen === '' ? undefined : chosen));
@@ -86,7 +86,7 @@ export function createStudyForm({ pane, session, presets }) {
   /** @param {any} chosen */
   function metrics(chosen) {
     const list = Array.isArray(chosen) ? chosen : [];
-    const boxes = session.metrics.map(({ name, label, help }) => {
+    const boxes = session.metrics().map(({ name, label, help }) => {
       const box = h('input', { type: 'checkbox', id: `study-metric-${name}`, checked: list.includes(name) });
       box.addEventListener('change', () => change(['metrics'], box.checked ? [...list, name] : list.filter((other) => other !== name)));
       return h('label', { class: 'check', title: help }, box, label);
@@ -98,8 +98,8 @@ export function createStudyForm({ pane, session, presets }) {
   function figure(draft) {
     const value = draft.figure;
     const kinds = [{ value: '', label: text.form.noFigure }, ...Object.entries(text.form.kinds).map(([kind, label]) => ({ value: kind, label }))];
-    const measured = session.metrics.filter(({ name }) => draft.metrics?.includes?.(name)).map(({ name, label }) => ({ value: name, label }));
-    const factors = [{ value: '', label: text.form.nothing }, ...(session.outline?.factors ?? []).map((factor) => ({ value: factor, label: session.schema.find(({ key }) => key === factor)?.label ?? factor }))];
+    const measured = session.metrics().filter(({ name }) => draft.metrics?.includes?.(name)).map(({ name, label }) => ({ value: name, label }));
+    const factors = [{ value: '', label: text.form.nothing }, ...(session.outline?.factors ?? []).map((factor) => ({ value: factor, label: session.parameters().find(({ key }) => key === factor)?.label ?? factor }))];
     const drawn = (/** @type {string} */ kind) => change(['figure'], kind === '' ? undefined : { metric: measured[0]?.value, ...value, kind });
     const one = (/** @type {string} */ field, /** @type {string} */ label, /** @type {{ value: string, label: string }[]} */ list) =>
       labelled(['figure', field], label, choiceField(list, value?.[field] ?? '', (chosen) => change(['figure', field], chosen === '' ? undefined : chosen)));
@@ -131,7 +131,7 @@ export function createStudyForm({ pane, session, presets }) {
     // After the event that changed the study: focus has moved on by then, and is kept.
     setTimeout(() => {
       waiting = false;
-      const next = `${session.list} ${JSON.stringify(session.draft)} ${session.outline?.factors.join(' ')}`;
+      const next = `${session.list} ${JSON.stringify(session.draft)} ${session.outline?.world} ${session.outline?.factors.join(' ')}`;
       if (next !== shown && !session.list) build();
       shown = next;
       showFault();

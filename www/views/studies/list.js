@@ -67,14 +67,14 @@ export function createStudyList({ pane, element, session, store, speed, workers,
       'li',
       { class: 'study-row', 'data-study': name },
       h('div', {}, h('h3', {}, outline.title || name), h('p', { class: 'secondary' }, about)),
-      h('ul', { class: 'study-sizes' }, ...SIZES.map((size) => cell(name, size, outline.sizes.find((entry) => entry.size === size), counts))),
+      h('ul', { class: 'study-sizes' }, ...SIZES.map((size) => cell(name, outline.world, size, outline.sizes.find((entry) => entry.size === size), counts))),
     );
   }
 
-  /** @param {string} name @param {Size} size @param {import('../../studies/types.js').SizeOutline | undefined} outline @param {Map<string, number>} counts */
-  function cell(name, size, outline, counts) {
+  /** @param {string} name @param {string} world @param {Size} size @param {import('../../studies/types.js').SizeOutline | undefined} outline @param {Map<string, number>} counts */
+  function cell(name, world, size, outline, counts) {
     if (!outline) return h('li', {});
-    const range = speed.estimate(outline.robot_steps, workers());
+    const range = speed.estimate(world, outline.robot_steps, workers());
     const kept = counts.get(keyOf(session.version, outline.hash)) ?? 0;
     return h(
       'li',
@@ -90,7 +90,7 @@ export function createStudyList({ pane, element, session, store, speed, workers,
     async show() {
       const [listed, counts] = await Promise.all([session.listed(), store.counts()]);
       rows.replaceChildren(...listed.map((study) => row(study, counts)));
-      write(times, speed.estimate(1, 1) ? text.list.hasTime(workers()) : text.list.noTime);
+      write(times, listed.some(({ outline }) => speed.knows(outline.world)) ? text.list.hasTime(workers()) : text.list.noTime);
     },
   };
 }

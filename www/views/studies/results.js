@@ -131,7 +131,7 @@ export function createStudyResults({ pane, run, session, state, speed, committed
 
   function showLarge() {
     const outline = session.outline?.sizes.find(({ size }) => size === session.size);
-    const range = outline ? speed.estimate(outline.robot_steps, run.workers) : null;
+    const range = outline && session.outline ? speed.estimate(session.outline.world, outline.robot_steps, run.workers) : null;
     const isLarge = outline !== undefined && (session.tooMany || (range ? range[1] > LARGE_SECONDS : outline.robot_steps > LARGE_STEPS));
     large.hidden = !isLarge || state.name === 'finished';
     if (!outline || !isLarge) return;

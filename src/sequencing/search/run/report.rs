@@ -38,6 +38,7 @@ impl Search {
             proven_weight: self.proven_weight,
             counts: self.counts,
             open: self.queue.open(),
+            open_peak: self.queue.peak(),
             nodes: self.nodes.len(),
             bytes: self.bytes(),
         }

@@ -1,12 +1,12 @@
-//! What is measured of a run when it has ended.
+//! What is measured of the foraging swarm.
 
+use super::Form;
 use crate::geese::Measure;
 use crate::scenario::{Outcome, Run};
 
-/// A number that a run gives; see [`Metric::ALL`] for all of them.
+/// A number that a run of the foraging swarm gives; each is described once, by its help text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "each is described once, by its help text")]
-pub enum Metric {
+pub enum Foraging {
     Share,
     Delivered,
     Success,
@@ -28,18 +28,7 @@ pub enum Metric {
     MeanGenomeLength,
 }
 
-/// What numbers a metric can be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// 1 or 0: the report counts successes.
-    Flag,
-    /// A real number from 0 to 1, shown in per cent.
-    Share,
-    /// Any other number.
-    Number,
-}
-
-impl Metric {
+impl Foraging {
     /// Every metric, in the order of the documentation, with the name it has in studies and results.
     pub const ALL: [(&'static str, Self); 19] = [
         ("share", Self::Share),
@@ -64,13 +53,11 @@ impl Metric {
     ];
 
     /// The name in studies and results.
-    #[must_use]
     pub fn name(self) -> &'static str {
         Self::ALL[self as usize].0
     }
 
     /// The name for people.
-    #[must_use]
     pub fn label(self) -> &'static str {
         match self {
             Self::Share => "Items delivered",
@@ -96,7 +83,6 @@ impl Metric {
     }
 
     /// What is measured, in one sentence.
-    #[must_use]
     pub fn help(self) -> &'static str {
         match self {
             Self::Share => "Share of the items delivered when the run ended.",
@@ -124,7 +110,6 @@ impl Metric {
     }
 
     /// What numbers it can be.
-    #[must_use]
     pub fn form(self) -> Form {
         match self {
             Self::Success => Form::Flag,
@@ -150,7 +135,7 @@ impl Metric {
     }
 
     /// Whether nothing that can still happen in the run changes it.
-    fn is_settled(self, run: &Run, reached: &Reached) -> bool {
+    pub fn is_settled(self, run: &Run, reached: &Reached) -> bool {
         match self {
             // Items that were delivered stay delivered; only an event could move the threshold.
             Self::Success => run.scenario().events.is_empty() && outcome(run).is_some_and(|outcome| outcome.success),
@@ -175,7 +160,8 @@ impl Metric {
         }
     }
 
-    fn of(self, run: &Run, measure: &Measure, reached: &Reached) -> Option<f64> {
+    /// Its value in a run as it stands.
+    pub fn of(self, run: &Run, measure: &Measure, reached: &Reached) -> Option<f64> {
         let outcome = outcome(run)?;
         Some(match self {
             Self::Share => outcome.share,
@@ -203,20 +189,21 @@ impl Metric {
 
 /// The steps after which half, and 80 %, of the items were delivered.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Reached {
+pub struct Reached {
     half: Option<u32>,
     most: Option<u32>,
 }
 
 impl Reached {
-    fn note(&mut self, run: &Run) {
+    /// Takes note of a run as it stands.
+    pub fn note(&mut self, run: &Run) {
         let (share, tick) = (outcome(run).map_or(0.0, |outcome| outcome.share), run.tick());
         self.half = self.half.or((share >= 0.5).then_some(tick));
         self.most = self.most.or((share >= 0.8).then_some(tick));
     }
 }
 
-/// The outcome of the foraging swarm, the one world that is measured so far.
+/// The outcome of the foraging swarm, if that is what runs.
 fn outcome(run: &Run) -> Option<crate::geese::Outcome> {
     match run.outcome() {
         Outcome::Geese(outcome) => Some(outcome),
@@ -225,27 +212,4 @@ fn outcome(run: &Run) -> Option<crate::geese::Outcome> {
         #[cfg(feature = "soccer")]
         Outcome::Soccer(_) => None,
     }
-}
-
-/// Makes up to `steps` steps of a run; returns whether it is over: it has ended, or nothing more can change `metrics`.
-///
-/// - `reached`: what was noted of the run so far; at its start, the default.
-pub(super) fn advance(run: &mut Run, metrics: &[Metric], reached: &mut Reached, steps: u32) -> bool {
-    for _ in 0..steps {
-        let counts = !run.geese().is_some_and(crate::geese::World::awaits_test);
-        if counts {
-            reached.note(run);
-        }
-        let is_settled = counts && metrics.iter().all(|metric| metric.is_settled(run, reached));
-        if is_settled || run.advance(1) == 0 {
-            return true;
-        }
-    }
-    false
-}
-
-/// The metrics of a run as it stands, in their order; `None` for what has not come about.
-pub(super) fn measure(run: &Run, metrics: &[Metric], reached: &Reached) -> Vec<Option<f64>> {
-    let measure = run.geese().map(Measure::of);
-    metrics.iter().map(|metric| metric.of(run, measure.as_ref()?, reached)).collect()
 }

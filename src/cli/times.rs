@@ -5,7 +5,7 @@ use super::study::read_study;
 use super::{Failure, in_file, print};
 use clap::Args;
 use std::path::{Path, PathBuf};
-use swarm_playground::scenario::Run;
+use swarm_playground::scenario::{Run, Start};
 use swarm_playground::study::{PaperSeconds, Study, VERSION};
 
 /// Arguments of `times`.
@@ -16,8 +16,10 @@ pub struct TimesArguments {
     studies: Vec<PathBuf>,
 }
 
+/// Seconds after which a search need not be made again to know how long it takes.
+const ENOUGH: f64 = 0.2;
 const ABOUT: &str = "Seconds of one thread on the processor for the search alone, without drawing the layout and without \
-    carrying the plan out; one run of each layout. They are this machine's, and other work on it moves them by a third or more, \
+    carrying the plan out; short searches are made again until a fifth of a second is full. They are this machine's, and other work on it moves them by a third or more, \
     so they stand in no results file and no claim rests on them: integrations are the same everywhere. The two machines are \
     years apart, and the paper's program is not known; what can be compared is how times go with robots and weight.";
 
@@ -46,14 +48,10 @@ fn row(study: &Study, paper: &PaperSeconds, cell: usize, path: &Path) -> Result<
     let (mut seconds, mut integrations) = (Vec::new(), Vec::new());
     for number in 0..study.seeds {
         let scenario = study.cells[cell].scenario_of(study.first_seed + u64::from(number));
-        let mut start = Run::start(scenario).map_err(|error| in_file(path, &error))?;
-        let begun = cpu();
-        while !start.advance(u32::MAX) {}
-        seconds.push(cpu() - begun);
-        let Some(progress) = start.search() else {
-            return Err(in_file(path, &"scenario: expected a world that plans"));
-        };
-        integrations.push(progress.counts.integrated as f64);
+        let start = Run::start(scenario).map_err(|error| in_file(path, &error))?;
+        let (took, counted) = measure(&start).ok_or_else(|| in_file(path, &"scenario: expected a world that plans"))?;
+        seconds.push(took);
+        integrations.push(counted);
     }
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
     let least = seconds.iter().copied().fold(f64::INFINITY, f64::min);
@@ -71,9 +69,28 @@ fn row(study: &Study, paper: &PaperSeconds, cell: usize, path: &Path) -> Result<
     ))
 }
 
-/// The processor's name, where the system tells.
+/// Seconds and integrations of a search; `None` where nothing is searched for.
+fn measure(start: &Start) -> Option<(f64, f64)> {
+    start.search()?;
+    let (begun, mut times) = (cpu(), 0.0);
+    loop {
+        let mut again = start.clone();
+        while !again.advance(u32::MAX) {}
+        times += 1.0;
+        let took = cpu() - begun;
+        // Some systems count the processor's time in steps of milliseconds.
+        if took >= ENOUGH {
+            return Some((took / times, again.search()?.counts.integrated as f64));
+        }
+    }
+}
+
+/// The processor's name and pace, where the system tells.
 fn processor() -> String {
     let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = told.lines().find(|line| line.starts_with("model name")).and_then(|line| line.split_once(": "));
-    name.map_or_else(|| "a processor that the system does not name".to_owned(), |(_, name)| name.trim().to_owned())
+    let field = |name: &str| told.lines().find(|line| line.starts_with(name))?.split_once(": ").map(|(_, value)| value);
+    let Some(name) = field("model name") else { return "a processor that the system does not name".to_owned() };
+    let pace = field("cpu MHz").and_then(|pace| pace.trim().parse::<f64>().ok());
+    let pace = pace.map(|pace| format!(", {:.1} GHz", pace / 1000.0)).unwrap_or_default();
+    format!("{}{pace}", name.trim())
 }

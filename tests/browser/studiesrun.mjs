@@ -42,6 +42,22 @@ export const cases = [
     },
   ],
   [
+    'a_study_of_plans_gives_the_bytes_of_the_command_line_and_offers_its_own_metrics',
+    async (open) => {
+      const study = await openStudy(open, '#/studies/search-variants?size=glance', { acceptDownloads: true });
+      await study.finish();
+      const wanted = native('studies/search-variants.json', '--size', 'glance');
+      assert.equal(await study.csv(), wanted.csv);
+      assert.equal((await study.saved('Report')).bytes.toString(), wanted.report);
+      const { page } = study;
+      await page.locator('#studies-part-metrics summary').click();
+      assert.deepEqual([await page.locator('#study-metric-integrations').isChecked(), await page.locator('#study-metric-share').count()], [true, 0]);
+      const offered = await page.locator('#studies-part-scenario option').evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value));
+      assert.ok(offered.includes('sequencing.robots') && !offered.some((key) => key.startsWith('geese.')), offered.join(' '));
+      assert.deepEqual(study.problems, []);
+    },
+  ],
+  [
     'any_number_of_workers_gives_the_same_rows',
     async (open) => {
       /** @type {string[]} */

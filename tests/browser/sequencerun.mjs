@@ -46,6 +46,7 @@ export const cases = [
       assert.match(await verdict(), /^Proved infeasible: there is no plan\. Every sequence was tried or ruled out, with \d+ integrations?\./);
       assert.equal(await page.locator('#sequence .plan-cell').count(), 0);
       await page.locator('#sequence-preset').selectOption('plan-live');
+      await until(() => location.hash.includes('plan-live')); // before it is opened, it would take the budget back
       await page.locator('[id="control-sequencing.budget"]').fill('30');
       await page.locator('[id="control-sequencing.budget"]').press('Enter');
       await result('gave-up');

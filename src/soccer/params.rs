@@ -1,12 +1,9 @@
 //! The parameters of a match.
 
+use super::game::Colour;
 use super::referee::Times;
-use super::schema::parameters;
 use super::team::{Margins, TeamKind};
-use super::world::World;
-use crate::nearest::nearest;
-use crate::parameter::shown;
-use crate::random::Seed;
+use super::world;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -76,44 +73,7 @@ impl Default for Params {
 /// Seconds of a shoot-out, at most: 20 pairs of attempts of 10 s.
 const SHOOT_OUT: u32 = 400;
 
-/// The path of a field and what is wrong with it.
-type Fault = (String, String);
-
 impl Params {
-    /// Reads parameters; fields that are not there keep their defaults.
-    ///
-    /// - `value`: an object of fields in kebab case.
-    /// - `path`: put before the names in errors, such as `match.`; may be empty.
-    ///
-    /// # Errors
-    /// The path of the field, and what was found and is allowed: no object, an unknown field, a value of another type or
-    /// out of its bounds.
-    pub fn read(value: &Value, path: &str) -> Result<Self, Fault> {
-        let Value::Object(given) = value else {
-            let at = path.strip_suffix('.').unwrap_or(path).to_owned();
-            return Err((at, format!("expected an object with parameters, found {}", shown(value))));
-        };
-        let mut params = Self::default();
-        for (name, value) in given {
-            let known = || parameters().iter().copied().flatten();
-            let at = format!("{path}{name}");
-            let Some(parameter) = known().find(|parameter| parameter.name == name) else {
-                return Err(match nearest(name, known().map(|parameter| parameter.name)) {
-                    Some(near) => (at, format!("unknown field, did you mean \"{near}\"?")),
-                    None => (at, "unknown field".to_owned()),
-                });
-            };
-            match parameter.kind.check(value, parameter.unit) {
-                Ok(value) => {
-                    let taken = params.set(name, &value);
-                    debug_assert!(taken, "{name} is in the schema, but no field takes its values");
-                }
-                Err(message) => return Err((at, message)),
-            }
-        }
-        Ok(params)
-    }
-
     /// Sets the field of that name, in kebab case; returns false when there is none or the value is of another type.
     pub fn set(&mut self, name: &str, value: &Value) -> bool {
         let Ok(Value::Object(mut fields)) = serde_json::to_value(&*self) else { return false };
@@ -129,8 +89,7 @@ impl Params {
     /// # Errors
     /// The field's name and what is wrong with it.
     pub fn check(&self) -> Result<(), (&'static str, String)> {
-        // Any seed: what is checked does not depend on it.
-        Seed::new(1).map_or(Ok(()), |seed| World::new(self, seed).map(|_| ()))
+        [Colour::Blue, Colour::Yellow].into_iter().try_for_each(|colour| world::check(self, colour))
     }
 
     /// The most control frames that a match can take: nobody knows before how long overtime and a shoot-out last.

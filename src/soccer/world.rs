@@ -4,7 +4,7 @@
 
 use super::game::{Colour, Match};
 use super::params::Params;
-use super::team::{Event, EventKind, Team};
+use super::team::{Event, EventKind, Team, TeamError, TeamKind};
 use super::view::{ROBOTS, Wheels};
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, stream};
@@ -263,21 +263,47 @@ fn index(colour: Colour) -> usize {
     }
 }
 
-fn team(params: &Params, seed: Seed, colour: Colour) -> Result<Team, (&'static str, String)> {
-    let (kind, coach, roles, field) = match colour {
-        Colour::Blue => (params.blue, &params.blue_coach, &params.blue_roles, ["blue-coach", "blue-roles"]),
-        Colour::Yellow => (params.yellow, &params.yellow_coach, &params.yellow_roles, ["yellow-coach", "yellow-roles"]),
-    };
-    let given = |text: &'_ String| (!text.trim().is_empty()).then(|| text.clone());
-    let (coach, roles) = (given(coach), given(roles));
-    // With the side and not with the team, like all luck: a match with sides exchanged is fair to both.
-    let luck = stream(seed, Purpose::Penalty, index(colour) as u32 ^ u32::from(params.sides_exchanged));
-    Team::new(kind, params.margins(), coach.as_deref(), roles.as_deref(), luck).map_err(|error| {
-        let field = match &error {
-            super::team::TeamError::Margins(_) => "enter",
-            super::team::TeamError::Coach(_) | super::team::TeamError::NoTree(_) => field[0],
-            super::team::TeamError::Roles(_) => field[1],
+/// What a team is made of.
+struct Wishes<'a> {
+    kind: TeamKind,
+    coach: Option<&'a str>,
+    roles: Option<&'a str>,
+    /// The names of the fields of both.
+    fields: [&'static str; 2],
+}
+
+impl<'a> Wishes<'a> {
+    fn of(params: &'a Params, colour: Colour) -> Self {
+        let (kind, trees, fields) = match colour {
+            Colour::Blue => (params.blue, [&params.blue_coach, &params.blue_roles], ["blue-coach", "blue-roles"]),
+            Colour::Yellow => {
+                (params.yellow, [&params.yellow_coach, &params.yellow_roles], ["yellow-coach", "yellow-roles"])
+            }
+        };
+        let [coach, roles] = trees.map(|text| (!text.trim().is_empty()).then_some(text.as_str()));
+        Self { kind, coach, roles, fields }
+    }
+
+    /// The field that an error is about, and the error in words.
+    fn fault(&self, error: &TeamError) -> (&'static str, String) {
+        let field = match error {
+            TeamError::Margins(_) => "enter",
+            TeamError::Coach(_) | TeamError::NoTree(_) => self.fields[0],
+            TeamError::Roles(_) => self.fields[1],
         };
         (field, error.to_string())
-    })
+    }
+}
+
+/// Checks what a team was given, without making one.
+pub(super) fn check(params: &Params, colour: Colour) -> Result<(), (&'static str, String)> {
+    let wishes = Wishes::of(params, colour);
+    Team::check(wishes.kind, params.margins(), wishes.coach, wishes.roles).map_err(|error| wishes.fault(&error))
+}
+
+fn team(params: &Params, seed: Seed, colour: Colour) -> Result<Team, (&'static str, String)> {
+    let wishes = Wishes::of(params, colour);
+    // With the side and not with the team, like all luck: a match with sides exchanged is fair to both.
+    let luck = stream(seed, Purpose::Penalty, index(colour) as u32 ^ u32::from(params.sides_exchanged));
+    Team::new(wishes.kind, params.margins(), wishes.coach, wishes.roles, luck).map_err(|error| wishes.fault(&error))
 }

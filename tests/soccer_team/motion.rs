@@ -167,3 +167,30 @@ fn robot_reaches_a_place_from_anywhere_and_looks_in_the_arrival_direction() {
         assert!((libm::cos(pose.heading - 0.6)).abs() > 0.99, "{step}: {pose:?}");
     }
 }
+
+#[test]
+fn robots_that_are_held_back_off() {
+    let held = |at: [f64; 2], front: [f64; 2], told: Wheels| {
+        let mut motion = Motion::default();
+        let pose = Pose { at, ..Pose::default() };
+        let mut answers = (0..36).map(|_| motion.unstick(&pose, front, told));
+        assert!(answers.by_ref().take(24).all(|answer| answer == told), "0.4 s of patience");
+        let freeing: Vec<_> = answers.collect();
+        assert!(freeing.iter().all(|answer| *answer == freeing[0] && answer.left == answer.right));
+        freeing[0].left
+    };
+    let ahead = Wheels { left: 20.0, right: 20.0 };
+    // In the open: away from where it wanted to go.
+    assert!(held([0.0, 0.0], [1.0, 0.0], ahead) < -20.0);
+    assert!(held([0.0, 0.0], [1.0, 0.0], Wheels { left: -20.0, right: -20.0 }) > 20.0);
+    // Flush against a wall it cannot turn: away from the wall, whatever it wanted.
+    let turns = Wheels { left: -10.0, right: 12.0 };
+    assert!(held([0.3, 0.61], [0.0, 1.0], turns) < -20.0);
+    assert!(held([0.3, 0.61], [0.0, -1.0], turns) > 20.0);
+    // Whoever rests is not held, and whoever moves is not either.
+    let mut motion = Motion::default();
+    let moving = Pose { velocity: [0.3, 0.0], ..Pose::default() };
+    assert!((0..100).all(|_| motion.unstick(&moving, [1.0, 0.0], ahead) == ahead));
+    let rests = Wheels::default();
+    assert!((0..100).all(|_| motion.unstick(&Pose::default(), [1.0, 0.0], rests) == rests));
+}

@@ -7,7 +7,7 @@ use super::stage::{Toy, at, gap, with};
 use std::f64::consts::TAU;
 use swarm_playground::bt::Status::{Failure, Success};
 use swarm_playground::soccer::team::Role;
-use swarm_playground::soccer::view::{Pose, View};
+use swarm_playground::soccer::view::{Pose, View, Wheels};
 
 fn scene(role: Role, ball: [f64; 2], velocity: [f64; 2], me: [f64; 2]) -> Toy {
     let mut view = with(ball, velocity, [[-0.69, 0.0], me, [-0.2, -0.55]]);
@@ -87,8 +87,8 @@ fn fullback_guards_its_line_and_the_corner_where_the_ball_is() {
     assert!(gap(fullback.pose().at, [-0.50, 0.30]) < 0.015, "{:?}", fullback.pose());
     fullback.view.ball.at = [-0.65, 0.6];
     run(&mut fullback, 3.0);
-    assert!(gap(fullback.pose().at, [-0.65, 0.40]) < 0.02, "{:?}", fullback.pose());
-    fullback.view.ball.at = [-0.65, 0.46];
+    assert!(gap(fullback.pose().at, [-0.65, 0.46]) < 0.02, "{:?}", fullback.pose());
+    fullback.view.ball.at = [-0.65, 0.52];
     assert!(spins(&mut fullback));
 }
 
@@ -253,4 +253,58 @@ fn thresholds_of_a_state_hold_it_between_on_and_off() {
     };
     let found = [-0.50, -0.57, -0.60, -0.57, -0.50].map(|x| watch(&mut toy, x));
     assert_eq!(found, [Success, Success, Failure, Failure, Success]);
+}
+
+#[test]
+fn goalkeeper_kicks_a_resting_ball_out_of_the_area() {
+    let mut keeper = scene(Role::Goalkeeper, [-0.64, 0.1], [0.0; 2], [-0.69, 0.1]);
+    assert!(keeper.run(20, |toy| toy.pose().at[0] > -0.66).is_some(), "{:?}", keeper.pose());
+    // It does not leave its line for a ball outside the area, nor for one behind it.
+    for ball in [[-0.64, 0.45], [-0.72, 0.1]] {
+        let mut keeper = scene(Role::Goalkeeper, ball, [0.0; 2], [-0.69, 0.1]);
+        run(&mut keeper, 1.0);
+        assert!((keeper.pose().at[0] + 0.69).abs() < 0.02, "{:?}", keeper.pose());
+    }
+}
+
+#[test]
+fn goalkeeper_gets_between_the_goal_and_a_ball_beside_it() {
+    let mut keeper = scene(Role::Goalkeeper, [-0.72, 0.26], [0.0; 2], [-0.66, 0.30]);
+    assert!(keeper.run(60, |toy| toy.pose().at[1] < 0.24).is_some(), "{:?}", keeper.pose());
+    // Then it drives at the ball, outward.
+    let outward = keeper.run(60, |toy| toy.pose().velocity[1] > 0.2);
+    assert!(outward.is_some(), "{:?}", keeper.pose());
+}
+
+#[test]
+fn runs_at_the_goal_end_with_a_rolling_ball() {
+    let shot = |ball: [f64; 2], velocity: [f64; 2]| {
+        let mut striker = scene(Role::Striker, ball, velocity, [ball[0] - 0.06, ball[1]]);
+        striker.tell()
+    };
+    let runs = shot([0.36, 0.0], [1.0, 0.0]);
+    assert!(runs.left > 40.0 && runs.right > 40.0, "{runs:?}");
+    assert_eq!(shot([0.42, 0.0], [1.0, 0.0]), Wheels::default());
+    // A ball that rests there is kicked first.
+    let kicks = shot([0.42, 0.0], [0.1, 0.0]);
+    assert!(kicks.left > 40.0 && kicks.right > 40.0, "{kicks:?}");
+}
+
+#[test]
+fn nobody_pushes_an_opponent_that_has_the_ball_in_its_area() {
+    for (keeper, enters) in [([0.72, 0.0], false), ([0.69, 0.30], true)] {
+        let mut striker = scene(Role::Striker, [0.67, 0.0], [0.0; 2], [0.3, 0.2]);
+        striker.view.theirs[0] = at(keeper[0], keeper[1]);
+        let entered = striker.run(180, |toy| toy.pose().at[0] > 0.60).is_some();
+        assert_eq!(entered, enters, "{keeper:?}");
+    }
+}
+
+#[test]
+fn ways_lead_round_the_own_area_while_a_goalkeeper_is_in_it() {
+    // From one side of the area to the other.
+    let mut fullback = scene(Role::Fullback, [-0.66, 0.55], [0.0; 2], [-0.68, -0.46]);
+    let entered = fullback.run(300, |toy| toy.pose().at[0] < -0.60 && toy.pose().at[1].abs() < 0.35);
+    assert_eq!(entered, None, "{:?}", fullback.pose());
+    assert!(fullback.pose().at[1] > 0.40, "{:?}", fullback.pose());
 }

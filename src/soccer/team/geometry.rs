@@ -3,27 +3,28 @@
 //! Team frame (soccer facts, section 2): the own goal at x = -0.75, the other one at x = 0.75; metres.
 
 use crate::soccer::view::Ball;
+use crate::soccer::{physics, pitch};
 
 /// Control frames per second.
-pub const FRAMES_PER_SECOND: f64 = 60.0;
+pub const FRAMES_PER_SECOND: f64 = physics::FRAMES_PER_SECOND as f64;
 /// The centre of the own goal's mouth.
-pub const OWN_GOAL: [f64; 2] = [-0.75, 0.0];
+pub const OWN_GOAL: [f64; 2] = [-HALF[0], 0.0];
 /// The centre of the other goal's mouth.
-pub const THEIR_GOAL: [f64; 2] = [0.75, 0.0];
+pub const THEIR_GOAL: [f64; 2] = [HALF[0], 0.0];
 /// Half the width of a goal's mouth.
-pub const POST: f64 = 0.20;
+pub const POST: f64 = pitch::GOAL_HALF;
 /// Half the length and half the width of the playing area.
-pub const HALF: [f64; 2] = [0.75, 0.65];
+pub const HALF: [f64; 2] = [pitch::HALF_LENGTH, pitch::HALF_WIDTH];
 /// Where a goal area begins, from the halfway line.
-pub const AREA_X: f64 = 0.60;
+pub const AREA_X: f64 = pitch::AREA_X;
 /// Half the width of a goal area.
-pub const AREA_Y: f64 = 0.35;
+pub const AREA_Y: f64 = pitch::AREA_HALF;
 /// The own penalty mark lies at minus this, the other one at this.
-pub const MARK_X: f64 = 0.375;
+pub const MARK_X: f64 = pitch::PENALTY_X;
 /// The length of a robot, s in the tables.
-pub const ROBOT: f64 = 0.075;
+pub const ROBOT: f64 = pitch::ROBOT;
 /// What rolling costs the ball, metres per second squared (section 4.1).
-pub const ROLLING_LOSS: f64 = 0.14;
+pub const ROLLING_LOSS: f64 = physics::ROLLING;
 
 /// `a + b`.
 #[must_use]

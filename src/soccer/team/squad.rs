@@ -95,6 +95,22 @@ pub struct Team {
 }
 
 impl Team {
+    /// Checks what a team is given, without making one; arguments and errors as for [`Team::new`].
+    ///
+    /// # Errors
+    /// What is wrong with the margins or with a tree.
+    pub fn check(kind: TeamKind, margins: Margins, coach: Option<&str>, roles: Option<&str>) -> Result<(), TeamError> {
+        kind.margins(margins).check().map_err(TeamError::Margins)?;
+        if let Some(text) = roles {
+            Roles::read(text).map_err(TeamError::Roles)?;
+        }
+        match (kind.coached(), coach) {
+            (Coached::ByTree(_), Some(text)) => Program::read(text).map(|_| ()).map_err(TeamError::Coach),
+            (Coached::ByMachine { .. } | Coached::ByNobody(_), Some(_)) => Err(TeamError::NoTree(kind)),
+            (_, None) => Ok(()),
+        }
+    }
+
     /// A team before its first call.
     ///
     /// - `margins`: of all conditions; [`TeamKind::TreeDoubleMargins`] doubles them.

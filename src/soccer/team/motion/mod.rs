@@ -9,10 +9,12 @@
 //! | walls near the target | push no more than they push at the target, so that a ball at the wall can be reached |
 //! | curvature of the field | difference over 0.01 along it, at most 20 per metre |
 //! | speed and turn limit each other | solved together, so that the robot follows the curvature of the field at the slip limit |
+//! | a robot that is held | after 0.4 s of driving without motion it backs off for 0.2 s, at a wall away from it |
 //! | at the target | within 0.012 of a place to stand the robot only turns |
 
 mod field;
 mod line;
+mod unstick;
 mod wheels;
 
 pub use field::{Aim, Field, Obstacle};

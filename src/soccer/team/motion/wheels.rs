@@ -1,16 +1,12 @@
 //! From a direction to wheel speeds.
 
+use super::unstick::Held;
 use crate::fingerprint::Fingerprint;
+use crate::soccer::physics::{HALF_TRACK, WHEEL_LIMIT, WHEEL_RADIUS};
 use crate::soccer::team::geometry::{cross, dot, side, times};
 use crate::soccer::view::{Pose, Wheels};
 use std::f64::consts::PI;
 
-/// Half the distance between the wheels, metres.
-const HALF_TRACK: f64 = 0.04;
-/// Radius of a wheel, metres.
-const WHEEL: f64 = 0.026;
-/// Greatest speed of a wheel, radians per second.
-const FASTEST: f64 = 46.0;
 /// Greatest speed, metres per second.
 const SPEED: f64 = 1.2;
 /// Greatest turn rate while driving, radians per second.
@@ -29,12 +25,12 @@ const FLIP_FRAMES: u32 = 30;
 /// Source: section 5.
 #[must_use]
 pub fn wheels(speed: f64, turn: f64) -> Wheels {
-    let most = FASTEST * WHEEL;
+    let most = WHEEL_LIMIT * WHEEL_RADIUS;
     // Not clamp, which panics when a bound is no number: a view may hold anything.
     let across = (turn * HALF_TRACK).min(most).max(-most);
     let room = most - across.abs();
     let speed = speed.min(room).max(-room);
-    Wheels { left: (speed - across) / WHEEL, right: (speed + across) / WHEEL }
+    Wheels { left: (speed - across) / WHEEL_RADIUS, right: (speed + across) / WHEEL_RADIUS }
 }
 
 /// What a robot's motion remembers from frame to frame.
@@ -46,6 +42,8 @@ pub struct Motion {
     keeps: u32,
     /// The target is so near to a side wall that only one spiral is used.
     pub(super) at_wall: bool,
+    /// Whether something holds it.
+    pub(super) held: Held,
 }
 
 impl Motion {
@@ -95,6 +93,7 @@ impl Motion {
     /// Takes everything into a fingerprint.
     pub fn feed(&self, hash: &mut Fingerprint) {
         hash.u32(u32::from(self.reversed) | u32::from(self.at_wall) << 1 | self.keeps << 2);
+        self.held.feed(hash);
     }
 }
 

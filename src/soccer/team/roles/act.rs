@@ -6,11 +6,11 @@ use super::player::Robot;
 use crate::bt::Status;
 use crate::soccer::team::duties::Role;
 use crate::soccer::team::geometry::{
-    FRAMES_PER_SECOND, HALF, OWN_GOAL, POST, ROBOT, THEIR_GOAL, cross, distance, dot, in_area, left_of, minus, plus,
-    side, time_to_line, times, unit,
+    FRAMES_PER_SECOND, HALF, OWN_GOAL, POST, ROBOT, THEIR_GOAL, cross, distance, dot, in_area, left_of, length, minus,
+    plus, side, time_to_line, times, unit,
 };
 use crate::soccer::team::motion::{Aim, Obstacle, keep_line, meet, spin};
-use crate::soccer::view::Pose;
+use crate::soccer::view::{Pose, Wheels};
 use std::f64::consts::PI;
 
 /// The spirals lead so far behind the ball, ...
@@ -21,6 +21,8 @@ const PAST: f64 = 0.06;
 const WIDEST: f64 = 0.25;
 /// Shots aim so far from the middle of the goal at most.
 const SHOT: f64 = 0.14;
+/// A ball that is faster than this, metres per second, rolls on by itself.
+const ROLLS: f64 = 0.3;
 /// A spin that does not turn ends after so many frames.
 const SPIN_FRAMES: u32 = 30;
 
@@ -35,6 +37,10 @@ pub(super) fn act(robot: &mut Robot, leaf: &Leaf) -> Status {
         }
         What::Save => save(robot, leaf),
         What::Spin => return turn(robot),
+        What::DriveAtBall => {
+            let way = minus(ball.at, me.at);
+            straight(robot, unit(way, [1.0, 0.0]));
+        }
         What::KeepLine => {
             let [x, reach, share, ..] = leaf.numbers;
             line(robot, x, within(share * ball.at[1], reach));
@@ -49,7 +55,7 @@ pub(super) fn act(robot: &mut Robot, leaf: &Leaf) -> Status {
             let away = aside(robot);
             go(robot, Aim::place([x, away * beside]));
         }
-        What::RunAtGoal => run(robot),
+        What::RunAtGoal => run(robot, leaf.numbers[0]),
         What::GetBall => {
             let [away_before, wide, ..] = leaf.numbers;
             let arrival = if ball.at[0] < away_before { minus(ball.at, OWN_GOAL) } else { minus(THEIR_GOAL, ball.at) };
@@ -70,6 +76,7 @@ pub(super) fn act(robot: &mut Robot, leaf: &Leaf) -> Status {
             let at = plus(meet(ball, me.at), beside);
             go(robot, Aim { at, arrival: Some(arrival), wide, past: 0.0 });
         }
+        What::KickPenalty if ball.at[0] > leaf.numbers[0] => robot.wheels = Wheels::default(),
         What::KickPenalty => {
             let aim = [THEIR_GOAL[0], -robot.scene.penalty_side * 0.144];
             straight(robot, unit(minus(aim, me.at), [1.0, 0.0]));
@@ -82,7 +89,9 @@ pub(super) fn act(robot: &mut Robot, leaf: &Leaf) -> Status {
         | What::BallDeep
         | What::BallForward
         | What::BallAtWall
+        | What::BallResting
         | What::BehindBall
+        | What::GoalSide
         | What::FacingBall
         | What::BallInCone
         | What::ClearAhead
@@ -152,8 +161,12 @@ fn guard_penalty(robot: &mut Robot, leaf: &Leaf) {
 
 /// Runs at the goal with the ball in front: where the line through the ball meets the goal, or the nearest place within
 /// it; the farther the ball is off the way there, the more the robot turns towards it.
-fn run(robot: &mut Robot) {
+fn run(robot: &mut Robot, release: f64) {
     let (me, ball) = (robot.pose().at, robot.scene.view.ball.at);
+    if ball[0] > release && length(robot.scene.view.ball.velocity) > ROLLS {
+        robot.wheels = Wheels::default();
+        return;
+    }
     if let Some(place) = area::shut_out(robot.scene, robot.me, ball) {
         go(robot, Aim::place(place));
         return;

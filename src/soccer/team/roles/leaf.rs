@@ -20,8 +20,12 @@ pub enum What {
     BallForward,
     /// The ball is at a side wall.
     BallAtWall,
+    /// The ball hardly moves in the own goal area.
+    BallResting,
     /// The robot is behind the ball.
     BehindBall,
+    /// The robot is nearer to the middle of the own goal than the ball, across the pitch.
+    GoalSide,
     /// One end of the robot looks at the ball.
     FacingBall,
     /// The ball lies between the robot and the other goal.
@@ -36,6 +40,8 @@ pub enum What {
     Save,
     /// One full turn that carries the ball away.
     Spin,
+    /// Drives straight at the ball and through it.
+    DriveAtBall,
     /// Follows the ball on a line across the pitch.
     KeepLine,
     /// Guards the corner where the ball is.
@@ -63,12 +69,15 @@ pub enum What {
 /// A port: its name, what is taken when it is not given, and what it is.
 type Number = (&'static str, f64, &'static str);
 
+/// What ends a run with the ball.
+const RELEASE: &str = "brakes when the ball's x is above this, so that the ball rolls on, metres";
+
 /// How many numbers a leaf takes at most.
 pub const MOST_NUMBERS: usize = 5;
 
 impl What {
     /// Every leaf.
-    pub const ALL: [Self; 26] = [
+    pub const ALL: [Self; 29] = [
         Self::OffLine,
         Self::ShotComing,
         Self::BallNear,
@@ -76,7 +85,9 @@ impl What {
         Self::BallDeep,
         Self::BallForward,
         Self::BallAtWall,
+        Self::BallResting,
         Self::BehindBall,
+        Self::GoalSide,
         Self::FacingBall,
         Self::BallInCone,
         Self::ClearAhead,
@@ -84,6 +95,7 @@ impl What {
         Self::ReturnToLine,
         Self::Save,
         Self::Spin,
+        Self::DriveAtBall,
         Self::KeepLine,
         Self::GuardCorner,
         Self::StandAside,
@@ -108,7 +120,9 @@ impl What {
             Self::BallDeep => "BallDeep",
             Self::BallForward => "BallForward",
             Self::BallAtWall => "BallAtWall",
+            Self::BallResting => "BallResting",
             Self::BehindBall => "BehindBall",
+            Self::GoalSide => "GoalSide",
             Self::FacingBall => "FacingBall",
             Self::BallInCone => "BallInCone",
             Self::ClearAhead => "ClearAhead",
@@ -116,6 +130,7 @@ impl What {
             Self::ReturnToLine => "ReturnToLine",
             Self::Save => "Save",
             Self::Spin => "Spin",
+            Self::DriveAtBall => "DriveAtBall",
             Self::KeepLine => "KeepLine",
             Self::GuardCorner => "GuardCorner",
             Self::StandAside => "StandAside",
@@ -174,9 +189,17 @@ impl What {
                 ("on", 0.06, "begins when the ball is nearer to a side wall than this, metres"),
                 ("off", 0.09, "lasts while it is nearer than this, metres"),
             ],
+            Self::BallResting => &[
+                ("on", 0.20, "begins in the area when the ball is slower than this, metres per second"),
+                ("off", 2.0, "lasts near it while the ball is slower than this, metres per second"),
+            ],
             Self::BehindBall => &[
                 ("on", 0.0, "begins when the ball is ahead by more than this, metres"),
                 ("off", -0.02, "lasts while it is ahead by more than this, metres"),
+            ],
+            Self::GoalSide => &[
+                ("on", 0.04, "begins when the ball is farther from the middle by more than this, metres"),
+                ("off", 0.02, "lasts while it is by more than this, metres"),
             ],
             Self::FacingBall => &[
                 ("on", 30.0, "begins within this angle of either end, degrees"),
@@ -190,7 +213,9 @@ impl What {
                 ("angle", 15.0, "an opponent counts within this angle of the way to the goal, degrees"),
                 ("within", 0.40, "an opponent counts within this distance, metres"),
             ],
-            Self::SecondStriker | Self::Spin | Self::RunAtGoal | Self::KickPenalty => &[],
+            Self::SecondStriker | Self::Spin | Self::DriveAtBall => &[],
+            Self::RunAtGoal => &[("release", 0.37, RELEASE)],
+            Self::KickPenalty => &[("release", 0.42, RELEASE)],
             Self::ReturnToLine => {
                 &[("x", -0.69, "the line, metres"), ("reach", 0.20, "how far the line goes to both sides, metres")]
             }

@@ -119,9 +119,10 @@ impl Player {
         };
         pass_time(tree, &mut self.memory, &mut robot, recorder, milliseconds)?;
         tick_once(tree, &mut self.memory, &mut robot, recorder)?;
-        let Wheels { left, right } = robot.wheels;
+        let (wheels, front) = (robot.wheels, robot.front);
+        let wheels = self.state.motion.unstick(pose, front, wheels);
         // A view with something that is no number must not reach the motors.
-        Ok(if left.is_finite() && right.is_finite() { robot.wheels } else { Wheels::default() })
+        Ok(if wheels.left.is_finite() && wheels.right.is_finite() { wheels } else { Wheels::default() })
     }
 
     /// Forgets the role: the next frame begins it afresh.

@@ -4,8 +4,11 @@ use super::leaf::{Leaf, What};
 use super::player::Robot;
 use crate::bt::NodeId;
 use crate::soccer::team::geometry::{
-    HALF, POST, THEIR_GOAL, cross, distance, dot, length, minus, side, time_to_line, unit,
+    HALF, POST, THEIR_GOAL, cross, distance, dot, in_area, length, minus, side, time_to_line, unit,
 };
+
+/// How far out of the goal area a goalkeeper follows a ball that it kicks out.
+const KICKED: f64 = 0.15;
 
 /// Whether a condition holds for a robot now.
 pub(super) fn sense(robot: &mut Robot, node: NodeId, leaf: &Leaf) -> bool {
@@ -39,7 +42,16 @@ pub(super) fn sense(robot: &mut Robot, node: NodeId, leaf: &Leaf) -> bool {
             let gap = HALF[1] - ball.at[1].abs();
             robot.latch(node, gap < numbers[0], gap < numbers[1])
         }
+        What::BallResting => {
+            let speed = length(ball.velocity);
+            let begins = speed < numbers[0] && in_area(ball.at, true, 0.0);
+            robot.latch(node, begins, speed < numbers[1] && in_area(ball.at, true, KICKED))
+        }
         What::BehindBall => robot.latch(node, to_ball[0] > numbers[0], to_ball[0] > numbers[1]),
+        What::GoalSide => {
+            let by = side(ball.at[1]) * to_ball[1];
+            robot.latch(node, by > numbers[0], by > numbers[1])
+        }
         What::FacingBall => {
             let cosine = dot(unit(to_ball, [1.0, 0.0]), robot.front).abs();
             robot.latch(node, cosine > numbers[0], cosine > numbers[1])
@@ -63,6 +75,7 @@ pub(super) fn sense(robot: &mut Robot, node: NodeId, leaf: &Leaf) -> bool {
         What::ReturnToLine
         | What::Save
         | What::Spin
+        | What::DriveAtBall
         | What::KeepLine
         | What::GuardCorner
         | What::StandAside

@@ -28,7 +28,7 @@ pub mod view;
 mod world;
 
 pub use arrangement::{Arrangement, ArrangementError};
-pub use game::{Colour, Match, Outcome as Ending};
+pub use game::{Colour, Ending, Match};
 pub use params::Params;
 pub use schema::parameters;
 pub use statistics::Statistics;

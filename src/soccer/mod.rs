@@ -15,6 +15,7 @@
 
 mod arrangement;
 mod game;
+pub mod ironcup;
 pub mod noise;
 mod params;
 pub mod physics;
@@ -24,6 +25,7 @@ pub mod referee;
 mod schema;
 mod statistics;
 pub mod team;
+pub mod tournament;
 pub mod view;
 mod world;
 

@@ -118,12 +118,21 @@ fn two_rows_of_one_seed_with_the_sides_exchanged_are_a_pair() {
         "grid": {"soccer.sides-exchanged": [false, true]}, "seeds": {"first": 3, "count": 1},
         "metrics": ["goals_blue", "goals_yellow", "shots_blue", "shots_yellow"]});
     let study = study(&value);
-    let [plain, exchanged] = [study.make(0).metrics, study.make(1).metrics];
-    assert_eq!([plain[0], plain[1]], [exchanged[1], exchanged[0]]);
-    assert_eq!([plain[2], plain[3]], [exchanged[3], exchanged[2]]);
+    let [plain, turned] = [study.make(0).metrics, study.make(1).metrics];
+    assert_eq!([plain[0], plain[1]], [turned[1], turned[0]]);
+    assert_eq!([plain[2], plain[3]], [turned[3], turned[2]]);
     let mut results = Results::new(study.clone());
     (0..2).for_each(|run| results.add(study.make(run)));
     assert!(report(&results).contains("| even | pairs of a seed | 1 | 0.0000 |"), "{}", report(&results));
+    // Two cells with the same sides are one pairing, but their matches are no pairs.
+    let mut twice = exchanged();
+    twice["cells"] = json!([{"name": "a", "labels": {"match": "x"}}, {"name": "b", "labels": {"match": "x"}}]);
+    twice.as_object_mut().expect("an object").remove("grid");
+    let study = self::study(&twice);
+    let mut results = Results::new(study.clone());
+    (0..2).for_each(|run| results.add(study.make(run)));
+    let text = report(&results);
+    assert!(text.contains("| a | games | 2 |") && !text.contains("| pairs of a seed |"), "{text}");
 }
 
 #[test]

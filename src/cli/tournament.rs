@@ -91,34 +91,41 @@ pub fn tournament(arguments: &TournamentArguments) -> Result<(), Failure> {
     if arguments.paper { paper() } else { Ok(()) }
 }
 
+fn refused<T>(message: &str) -> Result<T, Failure> {
+    Err(Failure::Input(format!("--teams: {message}")))
+}
+
+fn kinds() -> Vec<String> {
+    TeamKind::ALL.iter().map(|kind| kind.text().to_owned()).collect()
+}
+
+/// A team of the playground, or a coach tree of the user's.
+fn entrant(word: &str) -> Result<Entrant, Failure> {
+    if let Some((name, file)) = word.split_once('=') {
+        let coach = read_file(Path::new(file))?;
+        return Ok(Entrant { name: name.trim().to_owned(), kind: TeamKind::Tree, coach });
+    }
+    if let Some(kind) = TeamKind::from_text(word) {
+        return Ok(Entrant { name: word.to_owned(), kind, coach: String::new() });
+    }
+    let all = kinds().join(", ");
+    refused(&format!("expected {all}, or NAME=FILE with a coach tree, found \"{word}\""))
+}
+
 fn entrants(words: &[String]) -> Result<Vec<Entrant>, Failure> {
-    let fault = |message: String| Err(Failure::Input(format!("--teams: {message}")));
     let mut entrants: Vec<Entrant> = Vec::new();
-    let all = || TeamKind::ALL.map(|kind| kind.text().to_owned()).to_vec();
-    for word in if words.is_empty() { all() } else { words.to_vec() } {
-        let entrant = match word.split_once('=') {
-            Some((name, file)) => {
-                let coach = read_file(Path::new(file))?;
-                Entrant { name: name.trim().to_owned(), kind: TeamKind::Tree, coach }
-            }
-            None => match TeamKind::from_text(&word) {
-                Some(kind) => Entrant { name: word, kind, coach: String::new() },
-                None => {
-                    let all = all().join(", ");
-                    return fault(format!("expected {all}, or NAME=FILE with a coach tree, found \"{word}\""));
-                }
-            },
-        };
+    for word in if words.is_empty() { kinds() } else { words.to_vec() } {
+        let entrant = entrant(&word)?;
         if entrant.name.is_empty() || entrant.name.contains(|letter: char| letter.is_control() || letter == '|') {
-            return fault(format!("expected a name of one line without \"|\", found \"{}\"", entrant.name));
+            return refused(&format!("expected a name of one line without \"|\", found \"{}\"", entrant.name));
         }
         if entrants.iter().any(|other| other.name == entrant.name) {
-            return fault(format!("expected each team once, found \"{}\" twice", entrant.name));
+            return refused(&format!("expected each team once, found \"{}\" twice", entrant.name));
         }
         entrants.push(entrant);
     }
     if !(2..=MOST_TEAMS).contains(&entrants.len()) {
-        return fault(format!("expected 2 to {MOST_TEAMS} teams, found {}", entrants.len()));
+        return refused(&format!("expected 2 to {MOST_TEAMS} teams, found {}", entrants.len()));
     }
     Ok(entrants)
 }

@@ -69,7 +69,7 @@ pub fn sections(results: &Results) -> Vec<Section> {
     own.into_iter().chain(standings(&pairings)).collect()
 }
 
-/// The table of a tournament, where three teams or more play with the same settings and the built-in trees.
+/// The table of a tournament, where three teams or more play with the same settings.
 fn standings(pairings: &[Pairing]) -> Option<Section> {
     let mut names: Vec<String> = Vec::new();
     for team in pairings.iter().flat_map(|pairing| &pairing.teams) {
@@ -129,7 +129,10 @@ fn pairings(results: &Results) -> Vec<Pairing> {
             pairing.goals.push([blue, yellow]);
             of_seeds.entry(seed).or_default().push(blue - yellow);
         }
-        if pairing.cells.len() == 2 {
+        let sides = |cell: &usize| study.cells[*cell].scenario.to_value()["sides-exchanged"].clone();
+        if let [one, other] = &pairing.cells[..]
+            && sides(one) != sides(other)
+        {
             let both = of_seeds.values().filter(|gaps| gaps.len() == 2);
             pairing.pairs = Some(both.map(|gaps| f64::midpoint(gaps[0], gaps[1])).collect());
         }

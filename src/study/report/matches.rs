@@ -213,7 +213,7 @@ fn goals(pairings: &[Pairing], paper: Option<&PaperMatches>) -> Section {
     for pairing in pairings {
         for (at, (colour, sign)) in [("blue", 1.0), ("yellow", -1.0)].into_iter().enumerate() {
             let scored: Vec<f64> = pairing.goals.iter().map(|goals| goals[at]).collect();
-            let gaps: Vec<f64> = pairing.differences().into_iter().map(|gap| sign * gap).collect();
+            let gaps: Vec<f64> = pairing.goals.iter().map(|goals| goals[at] - goals[1 - at]).collect();
             let Some((own, gap)) = Summary::of(&scored).zip(Summary::of(&gaps)) else { continue };
             let mean = |summary: &Summary| match mean_interval(summary) {
                 Some(estimate) => with_interval(&estimate, |value| format!("{value:.3}")),

@@ -1,7 +1,7 @@
 // `make bench`: how fast the engine is natively and in WebAssembly (under Node), measured in turns so that a busy
 // machine slows both: agent-steps per second of three scenarios, and ticks per second of a tree. Prints the medians, their
-// ratio and the project's targets; then the search for behaviour sequences, what a crowd costs, and the memory of the engine
-// in WebAssembly. Status 1 only when the two did not compute the same thing.
+// ratio and the project's targets; then the search for behaviour sequences, a match of ten minutes, what a crowd costs, and
+// the memory of the engine in WebAssembly. Status 1 only when the two did not compute the same thing.
 //
 // SCENARIO (a file), STEPS, TICKS and ROUNDS may be set as environment variables.
 
@@ -10,6 +10,7 @@ import { readFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { Sequence, initSync as initSequence } from '../www/sequence/engine/swarm_playground.js';
 import { World, initSync as initWorlds } from '../www/engine/swarm_playground.js';
+import { Study, initSync as initStudies } from '../www/studies/engine/swarm_playground.js';
 import { initSync as initTrees, tick_headless } from '../www/trees/engine/swarm_playground.js';
 
 const PUBLISHED = 'scenarios/published.json';
@@ -19,6 +20,9 @@ const TREE = 'tests/cases/reactive_tree.json'; // 18 nodes
 const FLOCKS = 'tests/cases/flocks.json'; // 1000 flocks of 20 robots for one interval of 100 steps
 const FLOCK_STEPS = 1000 * 20 * 100;
 const LAYOUTS = 10;
+const MATCH = 'scenarios/match.json'; // ten minutes, both coaches
+const MATCH_STEPS = 36_000;
+const MATCHES = 250; // of the paper's study
 const scenario = process.env.SCENARIO || 'scenarios/foraging.json';
 const steps = Number(process.env.STEPS || 12_000);
 const ticks = Number(process.env.TICKS || 2_000_000);
@@ -236,6 +240,53 @@ function plans() {
   console.log(`wasm/native  ${verdict(slow / fast >= 0.65)}: ${(slow / fast).toFixed(2)}, at least 0.65`);
 }
 
+/** A match in WebAssembly, by the engine that makes the page's studies. @param {string} json */
+function playMatch(json) {
+  const { seed = 1, ...scenario } = JSON.parse(json);
+  const spec = { study: 'bench', scenario, seeds: { first: seed, count: 1 }, metrics: ['goals'] };
+  const study = new Study(JSON.stringify(spec), '{}', 'paper');
+  const job = study.start(0);
+  const done = timed(() => {
+    while (!job.advance(600));
+    // The last column but the reason.
+    return job.line().trimEnd().split(',').at(-2) ?? '';
+  });
+  job.free();
+  study.free();
+  return done;
+}
+
+/** How long a match takes, which the two play in turns. */
+function matches() {
+  const json = readFileSync(MATCH, 'utf8');
+  const { steps: made } = native('bench', MATCH, '--steps', String(MATCH_STEPS));
+  playMatch(json); // the first run is slower: V8 is still compiling
+  /** @type {number[]} */
+  const ours = [];
+  /** @type {number[]} */
+  const theirs = [];
+  const fingerprints = new Set();
+  for (let round = 0; round < rounds; round++) {
+    for (const [list, done] of /** @type {const} */ ([[ours, native('bench', MATCH, '--steps', String(MATCH_STEPS))], [theirs, playMatch(json)]])) {
+      list.push(done.seconds);
+      fingerprints.add(done.fingerprint);
+    }
+  }
+  const line = (/** @type {string} */ name, /** @type {number[]} */ seconds, /** @type {number} */ most) => {
+    const each = median(seconds);
+    console.log(`${name.padEnd(12)} ${verdict(each <= most)}: ${each.toFixed(3)} s, at most ${most}; ${(60 / each).toFixed(0)} matches a minute, ${MATCHES} in ${(MATCHES * each).toFixed(0)} s, on one thread`);
+  };
+  console.log(`\n${MATCH}, ${made.toLocaleString('en')} steps, medians of ${rounds} rounds`);
+  line('native', ours, 0.35);
+  line('wasm', theirs, 0.5);
+  if (fingerprints.size === 1) {
+    console.log(`fingerprint  ${[...fingerprints][0]} in every run, native and wasm`);
+  } else {
+    console.error(`fingerprints differ: ${[...fingerprints].join(', ')}`);
+    process.exitCode = 1;
+  }
+}
+
 /** What an agent-step costs in a crowd of 10,000, as densely placed as 100, natively. */
 function crowds() {
   const cost = (/** @type {number} */ agents) => {
@@ -259,9 +310,11 @@ console.log('Building the command line (release)');
 execFileSync('cargo', ['build', '--release', '--quiet'], { stdio: 'inherit' });
 const { memory } = initWorlds({ module: readFileSync('www/engine/swarm_playground_bg.wasm') });
 initSequence({ module: readFileSync('www/sequence/engine/swarm_playground_bg.wasm') });
+initStudies({ module: readFileSync('www/studies/engine/swarm_playground_bg.wasm') });
 initTrees({ module: readFileSync('www/trees/engine/swarm_playground_bg.wasm') });
 console.log(`${cpus()[0].model}, Node ${process.versions.node}, ${rounds} rounds`);
 for (const measure of measures()) run(measure);
 plans();
+matches();
 crowds();
 ceiling(memory);

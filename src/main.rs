@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use swarm_playground::bt::xml::{self, Manifest, Problem};
-use swarm_playground::scenario::schema;
+use swarm_playground::scenario::{WorldParams, schema};
 use swarm_playground::workbench::{Setup, tick_headless};
 use swarm_playground::{bt, evolution, sequencing};
 
@@ -51,6 +51,10 @@ enum Command {
     Reproduction(cli::report::ReproductionArguments),
     /// Measure the searches of studies and print the paper's seconds beside ours, as Markdown
     Times(cli::times::TimesArguments),
+    /// Play matches everyone against everyone and print the games and the table, as Markdown
+    Tournament(cli::tournament::TournamentArguments),
+    /// Write a match down as a file that can be played again, or check such a file
+    Replay(cli::replay::ReplayArguments),
     /// Put the results of a study's shards into one file, in the order of the runs
     Merge(cli::report::MergeArguments),
     /// Measure how fast a scenario runs and print the result as one line of JSON; a run that ends is followed by the next seed
@@ -129,6 +133,8 @@ fn main() -> ExitCode {
         Command::Report(arguments) => cli::report::report(&arguments),
         Command::Reproduction(arguments) => cli::report::reproduction(&arguments),
         Command::Times(arguments) => cli::times::times(&arguments),
+        Command::Tournament(arguments) => cli::tournament::tournament(&arguments),
+        Command::Replay(arguments) => cli::replay::replay(&arguments),
         Command::Merge(arguments) => cli::report::merge(&arguments),
         Command::Bench { scenario, steps } => bench(&scenario, steps),
     };
@@ -219,9 +225,16 @@ fn bench_tree(file: &Path, ticks: u32) -> Result<(), Failure> {
 
 #[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
 fn bench(path: &Path, steps: u32) -> Result<(), Failure> {
-    let read = |seed| cli::run::read_run(path, &[("steps", Some(Value::from(steps))), ("seed", seed)]);
+    // Where the length of a run is no parameter, as in a match, a run that ends early is followed by the next seed.
+    let is_set = cli::run::read_scenario(path, &[])?.to_value().get("steps").is_some();
+    let length = is_set.then(|| Value::from(steps));
+    let read = |seed| cli::run::read_run(path, &[("steps", length.clone()), ("seed", seed)]);
     let mut run = read(None)?;
-    let agents = run.geese().map_or(1, |world| world.params().agents);
+    let agents = match &run.scenario().world {
+        WorldParams::Geese(params) => params.agents,
+        WorldParams::Sequencing(params) => params.robots,
+        WorldParams::Soccer(_) => 6,
+    };
     let (mut made, mut seconds, first) = (0, 0.0, run.scenario().seed.value());
     let mut runs = 0;
     loop {

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use swarm_playground::scenario::{Run, Scenario, Timeline};
+use swarm_playground::soccer::team::TeamKind;
 use swarm_playground::soccer::{Colour, Finished};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -79,6 +80,16 @@ fn a_goalkeeper_is_on_the_pitch_in_every_frame() {
         for team in [Colour::Blue, Colour::Yellow] {
             let keepers = state.team(team).duties().roles.iter().filter(|role| role.keeps_goal()).count();
             assert_eq!(keepers, 1, "tick {}", state.tick());
+        }
+    }
+}
+
+#[test]
+fn every_team_is_a_value_of_both_teams() {
+    for kind in TeamKind::ALL {
+        for field in ["blue", "yellow"] {
+            let read = scenario(&json!({field: kind.text()})).unwrap_or_else(|error| panic!("{error}"));
+            assert_eq!(read.to_value()[field], kind.text());
         }
     }
 }

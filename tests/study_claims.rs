@@ -120,7 +120,7 @@ fn wrong_claims_name_their_place() {
     };
     assert_eq!(
         error(r#"{"study": "small", "profile": "paper", "metric": "share"}"#),
-        "claims[0].evidence[0]: expected one of equals, below, above, greater, never_above, found 0"
+        "claims[0].evidence[0]: expected one of equals, below, above, greater, never_above, alike, found 0"
     );
     assert_eq!(
         error(r#"{"study": "small", "profile": "paper", "metric": "share", "equals": {"high": "much"}}"#),

@@ -137,6 +137,26 @@ fn glance_of_turning() {
 }
 
 #[test]
+fn glance_of_coaches() {
+    glance("coaches");
+}
+
+#[test]
+fn glance_of_hysteresis() {
+    glance("hysteresis");
+}
+
+#[test]
+fn glance_of_substeps() {
+    glance("substeps");
+}
+
+#[test]
+fn glance_of_tournament() {
+    glance("tournament");
+}
+
+#[test]
 fn no_study_is_left_out() {
     let source = include_str!("study_files.rs");
     for (name, _) in texts("studies") {

@@ -98,7 +98,7 @@ fn a_refusal_names_the_path_what_was_found_and_what_is_allowed() {
     let cases = [
         (
             json!([]),
-            "expected an object with \"study\", \"title\", \"about\", \"scenario\", \"cells\", \"grid\", \"seeds\", \"steps\", \"metrics\", \"sizes\", \"tests\", \"figure\", \"paper\", \"seconds\", found a list",
+            "expected an object with \"study\", \"title\", \"about\", \"scenario\", \"cells\", \"grid\", \"seeds\", \"steps\", \"metrics\", \"sizes\", \"tests\", \"figure\", \"paper\", \"seconds\", \"matches\", found a list",
         ),
         (with("", "metric", json!(1)), "metric: unknown field, did you mean \"metrics\"?"),
         (

@@ -6,8 +6,8 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use swarm_playground::study::statistics::{
-    StudentTest, Summary, difference_interval, fisher, mann_whitney, mean_interval, one_sample_t, quantile, t_quantile,
-    welch_t, wilson,
+    StudentTest, Summary, difference_interval, fisher, kolmogorov_smirnov, mann_whitney, mean_interval, one_sample_t,
+    quantile, sign_test, t_quantile, welch_t, wilson,
 };
 
 /// Equal to within half of the last digit that the expected value is given with.
@@ -22,6 +22,60 @@ fn the_published_t_of_the_coach_study_has_the_published_p() {
     near(test.p.greater, 0.00243, 5e-6);
     near(test.p.two_sided, 0.00485, 5e-6);
     near(test.p.less, 1.0 - 0.00243, 5e-6);
+}
+
+#[test]
+fn the_published_summary_of_the_coach_study_gives_its_test_and_what_we_add() {
+    // Haug et al., table 2: the mean goal difference of 250 games is 0.2120, its standard deviation 1.1794.
+    let none = Summary::of(&[0.0]).expect("not empty");
+    let games = Summary { count: 250, mean: 0.212, deviation: 1.1794, ..none };
+    let test = one_sample_t(&games, 0.0).expect("they vary");
+    near(test.t, 2.842, 5e-4);
+    assert_eq!(test.freedom, 249.0);
+    near(test.p.greater, 0.00243, 5e-6);
+    near(test.p.two_sided, 0.00485, 5e-6);
+    let interval = mean_interval(&games).expect("two numbers or more");
+    near(interval.low, 0.065, 5e-4);
+    near(interval.high, 0.359, 5e-4);
+    near(games.mean / games.deviation, 0.18, 5e-3);
+    // 87 wins and 57 losses.
+    near(sign_test(87, 57).two_sided, 0.015, 5e-4);
+}
+
+#[test]
+fn signs_are_a_coin() {
+    // 8 of 10: 45 + 10 + 1 of 1024 ways are 8 heads or more.
+    let test = sign_test(8, 2);
+    near(test.greater, 56.0 / 1024.0, 1e-12);
+    near(test.two_sided, 112.0 / 1024.0, 1e-12);
+    // 2 heads or more: all but 1 + 10.
+    near(test.less, 1013.0 / 1024.0, 1e-12);
+    assert_eq!((sign_test(0, 0).two_sided, sign_test(3, 3).two_sided), (1.0, 1.0));
+}
+
+#[test]
+fn kolmogorov_smirnov_counts_ways_to_deal_with_and_without_ties() {
+    // Of C(4, 2) = 6 ways one has all of the first below the second, one all above.
+    let test = kolmogorov_smirnov(&[2.0, 1.0], &[3.0, 4.0]).expect("neither is empty");
+    assert_eq!((test.d, test.p.greater), (1.0, 1.0));
+    near(test.p.two_sided, 2.0 / 6.0, 1e-12);
+    near(test.p.less, 1.0 / 6.0, 1e-12);
+    // With two values alone it is the lady tasting tea: 1 of 4 against 3 of 4.
+    let test = kolmogorov_smirnov(&[0.0, 0.0, 0.0, 1.0], &[0.0, 1.0, 1.0, 1.0]).expect("neither is empty");
+    assert_eq!(test.d, 0.5);
+    near(test.p.two_sided, 34.0 / 70.0, 1e-12);
+    near(test.p.less, 17.0 / 70.0, 1e-12);
+    near(test.p.greater, 1.0, 1e-12);
+    // Counted by dealing {0, 0, 1, 1, 1, 2, 2, 3, 3, 3, 4} out in all C(11, 6) = 462 ways: 122 are as far apart, 81 of
+    // them with the first below.
+    let test = kolmogorov_smirnov(&[0.0, 1.0, 1.0, 2.0, 3.0, -0.0], &[2.0, 3.0, 3.0, 4.0, 1.0]).expect("filled");
+    // Up to 1 there are 4 of 6 and 1 of 5.
+    near(test.d, 4.0 / 6.0 - 1.0 / 5.0, 1e-12);
+    near(test.p.two_sided, 122.0 / 462.0, 1e-12);
+    near(test.p.less, 81.0 / 462.0, 1e-12);
+    let same = kolmogorov_smirnov(&[2.0; 5], &[2.0; 9]).expect("neither is empty");
+    assert_eq!((same.d, same.p.two_sided), (0.0, 1.0));
+    assert!(kolmogorov_smirnov(&[], &[1.0]).is_none());
 }
 
 #[test]

@@ -5,11 +5,12 @@ use proptest::prelude::*;
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 use statrs::function::beta::beta_reg;
 use statrs::stats_tests::fisher::fishers_exact;
+use statrs::stats_tests::ks_test::{KSTwoSampleAlternativeMethod, ks_twosample};
 use statrs::stats_tests::mannwhitneyu::{MannWhitneyUMethod, mannwhitneyu};
 use statrs::stats_tests::ttest_onesample::ttest_onesample;
 use statrs::stats_tests::{Alternative, NaNPolicy};
 use swarm_playground::study::statistics::{
-    Summary, Tails, beta_inc, fisher, mann_whitney, normal_upper, one_sample_t, t_upper,
+    Summary, Tails, beta_inc, fisher, kolmogorov_smirnov, mann_whitney, normal_upper, one_sample_t, t_upper,
 };
 
 /// Both programs lose digits in the logarithm of the gamma function; p values are read to three.
@@ -79,6 +80,21 @@ proptest! {
             let (_, theirs) = mannwhitneyu(&first, &second, method, alternative).expect("valid");
             agree(ours, theirs.min(1.0))?;
         }
+    }
+
+    // Without ties: with them statrs looks also within a tie, where no sample can be compared.
+    #[test]
+    fn kolmogorov_smirnov_exact(
+        order in Just((0..24).map(f64::from).collect::<Vec<_>>()).prop_shuffle(), cut in 1..24_usize,
+    ) {
+        let (first, second) = order.split_at(cut);
+        let test = kolmogorov_smirnov(first, second).expect("neither is empty");
+        let method = KSTwoSampleAlternativeMethod::TwoSidedExact;
+        let (d, theirs) = ks_twosample(first.to_vec(), second.to_vec(), method, NaNPolicy::Error).expect("valid");
+        agree(test.d, d)?;
+        agree(test.p.two_sided, theirs)?;
+        let turned = kolmogorov_smirnov(second, first).expect("neither is empty");
+        agree(test.p.greater, turned.p.less)?;
     }
 
     #[test]

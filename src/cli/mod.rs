@@ -1,10 +1,12 @@
 //! What the commands of the command line share.
 
+pub mod replay;
 pub mod report;
 pub mod run;
 pub mod sequence;
 pub mod study;
 pub mod times;
+pub mod tournament;
 
 use std::fs;
 use std::io::{Write, stdout};

@@ -33,14 +33,7 @@ pub struct RunArguments {
 
 /// Runs a scenario and prints its result.
 pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
-    let mut changes = Vec::new();
-    for change in &arguments.set {
-        let Some((key, value)) = change.split_once('=') else {
-            return Err(Failure::Input(format!("--set: expected KEY=VALUE, found {change:?}")));
-        };
-        // A word that is no JSON is a text.
-        changes.push((key, Some(serde_json::from_str(value).unwrap_or_else(|_| Value::from(value)))));
-    }
+    let mut changes = changes(&arguments.set)?;
     let population = arguments.population.as_deref().map(read_file).transpose()?;
     changes.push(("population", population.map(Value::from)));
     changes.push(("seed", arguments.seed.map(Value::from)));
@@ -73,6 +66,19 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     print(&result.to_string())
 }
 
+/// The parameters that options such as `--set KEY=VALUE` change.
+pub fn changes(set: &[String]) -> Result<Vec<(&str, Option<Value>)>, Failure> {
+    let mut changes = Vec::new();
+    for change in set {
+        let Some((key, value)) = change.split_once('=') else {
+            return Err(Failure::Input(format!("--set: expected KEY=VALUE, found {change:?}")));
+        };
+        // A word that is no JSON is a text.
+        changes.push((key, Some(serde_json::from_str(value).unwrap_or_else(|_| Value::from(value)))));
+    }
+    Ok(changes)
+}
+
 /// A run of a scenario file with some of its parameters changed; those without a value stay.
 pub fn read_run(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Run, Failure> {
     Ok(read_start(path, changes)?.run())
@@ -80,6 +86,11 @@ pub fn read_run(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Run, F
 
 /// As [`read_run`], before anything is planned.
 fn read_start(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Start, Failure> {
+    Run::start(read_scenario(path, changes)?).map_err(|error| in_file(path, &error))
+}
+
+/// A scenario file with some of its parameters changed; those without a value stay.
+pub fn read_scenario(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Scenario, Failure> {
     let text = read_file(path)?;
     let mut scenario = Scenario::read(&text).map_err(|error| in_file(path, &error))?;
     for (option, value) in changes {
@@ -87,7 +98,7 @@ fn read_start(path: &Path, changes: &[(&str, Option<Value>)]) -> Result<Start, F
             scenario = scenario.with(option, value).map_err(|error| Failure::Input(format!("--{error}")))?;
         }
     }
-    Run::start(scenario).map_err(|error| in_file(path, &error))
+    Ok(scenario)
 }
 
 /// A progress bar on a terminal, for what takes more than two seconds.

@@ -4,10 +4,14 @@
 //! defaults of the [`schema`]; presets in `scenarios/` give only what differs.
 
 mod read;
+#[cfg(feature = "soccer")]
+mod replay;
 mod run;
 mod timeline;
 
 pub use read::{ScenarioError, schema};
+#[cfg(feature = "soccer")]
+pub use replay::{Difference, Replay};
 pub use run::{Outcome, Run, Start};
 pub use timeline::Timeline;
 

@@ -101,15 +101,18 @@ fn fields_of(world: &WorldParams) -> Map<String, Value> {
     match world {
         WorldParams::Geese(params) => params.fields(),
         #[cfg(feature = "sequencing")]
-        WorldParams::Sequencing(params) => match serde_json::to_value(params) {
-            Ok(Value::Object(fields)) => fields,
-            _ => Map::new(),
-        },
+        WorldParams::Sequencing(params) => written(params),
         #[cfg(feature = "soccer")]
-        WorldParams::Soccer(params) => match serde_json::to_value(params) {
-            Ok(Value::Object(fields)) => fields,
-            _ => Map::new(),
-        },
+        WorldParams::Soccer(params) => written(params),
+    }
+}
+
+/// The fields of parameters that are written as they stand.
+#[cfg(any(feature = "sequencing", feature = "soccer"))]
+fn written(params: &impl serde::Serialize) -> Map<String, Value> {
+    match serde_json::to_value(params) {
+        Ok(Value::Object(fields)) => fields,
+        _ => Map::new(),
     }
 }
 

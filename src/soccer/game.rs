@@ -27,7 +27,7 @@ pub enum Colour {
 
 /// How a match ended; arrays hold the left and the right team's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Outcome {
+pub struct Ending {
     /// Goals, without those of a shoot-out.
     pub score: [u32; 2],
     /// Goals of the shoot-out.
@@ -299,8 +299,8 @@ impl Match {
 
     /// How it ended; `None` before.
     #[must_use]
-    pub fn finished(&self) -> Option<Outcome> {
-        matches!(self.state, State::Over).then(|| Outcome {
+    pub fn finished(&self) -> Option<Ending> {
+        matches!(self.state, State::Over).then(|| Ending {
             score: self.referee.score(),
             shoot_out: self.referee.shoot_out_score(),
             winner: self.referee.ahead(),

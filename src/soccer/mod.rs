@@ -15,6 +15,7 @@
 
 mod arrangement;
 mod game;
+pub mod ironcup;
 pub mod noise;
 mod params;
 pub mod physics;
@@ -24,11 +25,12 @@ pub mod referee;
 mod schema;
 mod statistics;
 pub mod team;
+pub mod tournament;
 pub mod view;
 mod world;
 
 pub use arrangement::{Arrangement, ArrangementError};
-pub use game::{Colour, Match, Outcome as Ending};
+pub use game::{Colour, Ending, Match};
 pub use params::Params;
 pub use schema::parameters;
 pub use statistics::Statistics;

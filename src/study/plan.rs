@@ -22,6 +22,8 @@ pub enum TestKind {
     Proportions([usize; 2]),
     /// The Mann-Whitney U test of two samples.
     MannWhitney([usize; 2]),
+    /// The Kolmogorov-Smirnov test of two samples.
+    KolmogorovSmirnov([usize; 2]),
     /// Welch's t test of two means.
     WelchT([usize; 2]),
     /// A t test of the mean of a cell against a value.
@@ -88,7 +90,8 @@ pub(super) fn read_tests(fields: &Fields, study: &Study) -> Result<Vec<Test>, St
 
 fn read_test(value: &Value, path: &str, study: &Study) -> Result<Test, StudyError> {
     let fields = Fields::of(value, path, &["kind", "metric", "compare", "against"])?;
-    let kinds = [("proportions", 0), ("mann-whitney", 1), ("welch-t", 2), ("one-sample-t", 3)];
+    let kinds =
+        [("proportions", 0), ("mann-whitney", 1), ("welch-t", 2), ("one-sample-t", 3), ("kolmogorov-smirnov", 4)];
     let kind = *one_of(fields.need("kind", "the kind of test")?, &fields.at("kind"), &kinds)?;
     let metric = read_metric(&fields, study)?;
     let wanted = if kind == 3 { 1 } else { 2 };
@@ -111,6 +114,7 @@ fn read_test(value: &Value, path: &str, study: &Study) -> Result<Test, StudyErro
         0 => TestKind::Proportions(pair),
         1 => TestKind::MannWhitney(pair),
         2 => TestKind::WelchT(pair),
+        4 => TestKind::KolmogorovSmirnov(pair),
         _ => {
             let against = fields.need("against", "the value to test against")?;
             TestKind::OneSampleT(pair[0], number(against, &fields.at("against"))?)
@@ -201,6 +205,7 @@ impl Test {
         match self.kind {
             TestKind::Proportions(cells) => two("proportions", cells),
             TestKind::MannWhitney(cells) => two("mann-whitney", cells),
+            TestKind::KolmogorovSmirnov(cells) => two("kolmogorov-smirnov", cells),
             TestKind::WelchT(cells) => two("welch-t", cells),
             TestKind::OneSampleT(cell, against) => {
                 json!({"kind": "one-sample-t", "metric": metric, "compare": [name(cell)], "against": against})

@@ -2,6 +2,7 @@
 
 use super::cells::{Cell, Presets, parameter_keys, plain, read_cells, with};
 use super::fields::{Fields, StudyError, elements, fault};
+use super::matches::{PaperMatches, read_matches};
 use super::metrics::Metric;
 use super::plan::{Figure, PaperSeconds, PaperValue, Test, read_figure, read_paper, read_seconds, read_tests};
 use crate::fingerprint::Fingerprint;
@@ -36,6 +37,8 @@ pub struct Study {
     pub paper: Vec<PaperValue>,
     /// How long its searches took, and on what.
     pub seconds: Option<PaperSeconds>,
+    /// What it counted in its matches.
+    pub matches: Option<PaperMatches>,
     /// The smaller sizes that the file gives.
     sizes: [Option<Smaller>; 2],
 }
@@ -61,17 +64,19 @@ impl Size {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Smaller {
     seeds: Option<u32>,
-    steps: Option<u32>,
-    /// Of integrations, in worlds that plan.
-    budget: Option<u32>,
+    values: [Option<u32>; SMALLER.len()],
 }
+
+/// The parameters that a smaller size may replace: what decides how long a run takes. The budget is one of integrations,
+/// in worlds that plan; half-seconds are the length of a half of a match.
+const SMALLER: [&str; 3] = ["steps", "budget", "half-seconds"];
 
 /// The version whose results these are; results of different versions never mix.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-const FIELDS: [&str; 14] = [
+const FIELDS: [&str; 15] = [
     "study", "title", "about", "scenario", "cells", "grid", "seeds", "steps", "metrics", "sizes", "tests", "figure",
-    "paper", "seconds",
+    "paper", "seconds", "matches",
 ];
 const MOST_SEEDS: u32 = 10_000;
 
@@ -112,6 +117,7 @@ impl Study {
         let cells = read_cells(&fields, presets, &name)?;
         let (first_seed, seeds) = read_seeds(&fields)?;
         let metrics = read_metrics(&fields, &cells[0].scenario.world)?;
+        let matches = read_matches(&fields, &metrics)?;
         let mut study = Self {
             name,
             title: fields.text("title")?,
@@ -124,6 +130,7 @@ impl Study {
             figure: None,
             paper: Vec::new(),
             seconds: None,
+            matches,
             sizes: read_sizes(&fields)?,
         };
         study.tests = read_tests(&fields, &study)?;
@@ -152,9 +159,9 @@ impl Study {
 
     fn sized_as(&self, name: &str) -> Option<Result<Self, StudyError>> {
         let at = Size::ALL.iter().position(|size| size.0 == name)?;
-        let Smaller { seeds, steps, budget } = (*self.sizes.get(at)?)?;
+        let Smaller { seeds, values } = (*self.sizes.get(at)?)?;
         let mut sized = Self { sizes: [None; 2], seeds: seeds.unwrap_or(self.seeds), ..self.clone() };
-        for (field, value) in [("steps", steps), ("budget", budget)].into_iter().filter(|(_, value)| value.is_some()) {
+        for (field, value) in SMALLER.into_iter().zip(values).filter(|(_, value)| value.is_some()) {
             let path = format!("sizes.{name}.{field}");
             for cell in &mut sized.cells {
                 match with(&cell.scenario, &[(field.to_owned(), path.clone(), &json!(value))], &path) {
@@ -224,8 +231,8 @@ impl Study {
     }
 
     /// A fingerprint of all that decides a row of the results: each cell's name, labels and whole scenario, the first seed,
-    /// and the metrics. Words, tests, figure, the paper's values and times, and the number of seeds are left out: to change
-    /// them costs no run.
+    /// and the metrics. Words, tests, figure, the paper's values, times and matches, and the number of seeds are left out:
+    /// to change them costs no run.
     #[must_use]
     pub fn hash(&self) -> u64 {
         let cells = self.cells.iter().map(|cell| {
@@ -274,6 +281,9 @@ impl Study {
         if let Some(PaperSeconds { machine, cells }) = &self.seconds {
             let cells = cells.iter().map(|(cell, seconds)| (self.cells[*cell].name.clone(), json!(seconds)));
             value["seconds"] = json!({"machine": machine, "cells": cells.collect::<Map<_, _>>()});
+        }
+        if let Some(matches) = &self.matches {
+            value["matches"] = matches.to_value();
         }
         value
     }
@@ -344,11 +354,14 @@ fn read_sizes(fields: &Fields) -> Result<[Option<Smaller>; 2], StudyError> {
     let given = Fields::of(value, "sizes", &["glance", "class"])?;
     for (place, (name, _)) in sizes.iter_mut().zip(Size::ALL) {
         let Some(value) = given.get(name) else { continue };
-        let size = Fields::of(value, &given.at(name), &["seeds", "steps", "budget"])?;
+        let known: Vec<&str> = ["seeds"].into_iter().chain(SMALLER).collect();
+        let size = Fields::of(value, &given.at(name), &known)?;
         let seeds = size.whole("seeds", 1..=u64::from(MOST_SEEDS))?.map(|seeds| seeds as u32);
-        let steps = size.whole("steps", 1..=u64::from(u32::MAX))?.map(|steps| steps as u32);
-        let budget = size.whole("budget", 1..=u64::from(u32::MAX))?.map(|budget| budget as u32);
-        *place = Some(Smaller { seeds, steps, budget });
+        let mut values = [None; SMALLER.len()];
+        for (value, field) in values.iter_mut().zip(SMALLER) {
+            *value = size.whole(field, 1..=u64::from(u32::MAX))?.map(|value| value as u32);
+        }
+        *place = Some(Smaller { seeds, values });
     }
     Ok(sizes)
 }

@@ -58,6 +58,20 @@ export const cases = [
     },
   ],
   [
+    'a_study_of_matches_gives_the_bytes_of_the_command_line_and_shows_the_tables_first',
+    async (open) => {
+      const study = await openStudy(open, '#/studies/coaches?size=glance', { acceptDownloads: true });
+      await study.finish();
+      const wanted = native('studies/coaches.json', '--size', 'glance');
+      assert.equal(await study.csv(), wanted.csv);
+      assert.equal((await study.saved('Report')).bytes.toString(), wanted.report);
+      assert.equal((await study.saved('SVG')).bytes.toString(), wanted.svg);
+      const titles = await study.page.locator('.studies-results h3').allTextContents();
+      assert.ok(titles.indexOf('Wins, ties and losses') >= 0 && titles.indexOf('Wins, ties and losses') < titles.indexOf('Tests'), titles.join(', '));
+      assert.deepEqual(study.problems, []);
+    },
+  ],
+  [
     'any_number_of_workers_gives_the_same_rows',
     async (open) => {
       /** @type {string[]} */

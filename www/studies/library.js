@@ -13,7 +13,7 @@
 export function readStudies() {
   const texts = /** @type {Record<string, string>} */ (import.meta.glob('/studies/*.json', { query: '?raw', import: 'default', eager: true }));
   const files = Object.entries(texts).map(([path, json]) => ({ name: nameOf(path), json }));
-  const first = (/** @type {StudyFile} */ file) => Number(!('paper' in JSON.parse(file.json)));
+  const first = (/** @type {StudyFile} */ file) => Number(!['paper', 'matches'].some((field) => field in JSON.parse(file.json)));
   return files.sort((a, b) => first(a) - first(b) || (a.name < b.name ? -1 : 1));
 }
 

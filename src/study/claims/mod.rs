@@ -41,7 +41,7 @@ struct Evidence {
     kind: Kind,
 }
 
-/// What is expected of the metric of one cell or two; cells by their names.
+/// What is expected of the metric of one cell or two; cells by their names, or several together by a label's word.
 #[derive(Clone, Debug, PartialEq)]
 enum Kind {
     /// The paper's value.
@@ -54,6 +54,8 @@ enum Kind {
     NeverAbove(String, f64),
     /// The first cell has more than the second.
     Greater(String, String),
+    /// Both cells have one distribution, with means at most so far apart.
+    Alike([String; 2], f64),
 }
 
 const MOST: usize = 200;
@@ -61,7 +63,8 @@ const RULES: &str = "How a verdict is found. **A value** is reproduced when it l
     for shares of successes, Student's t for means) of at least 16 runs. **A bound** is reproduced when the whole interval lies on \
     its side. **A contrast** is reproduced when the test for it gives p below 0.05 (Fisher's exact test for successes, \
     the Mann-Whitney U test otherwise, one-sided); it is reversed when the opposite does. **A promise** is reproduced when none \
-    of at least 16 runs breaks it. Anything else is open or not \
+    of at least 16 runs breaks it. **A likeness** is reproduced when the means are as near as the table asks and an exact \
+    Kolmogorov-Smirnov test gives p above 0.01. Anything else is open or not \
     reproduced, as the table says. p values are not corrected for the number of claims.";
 
 impl Claims {
@@ -177,6 +180,7 @@ fn row(evidence: &Evidence, judged: &Judged) -> Vec<String> {
     let what = match &evidence.kind {
         Kind::Equals(cell, _) | Kind::Below(cell, _) | Kind::Above(cell, _) | Kind::NeverAbove(cell, _) => cell.clone(),
         Kind::Greater(first, second) => format!("{first} over {second}"),
+        Kind::Alike([first, second], _) => format!("{first} like {second}"),
     };
     let metric = evidence.metric.label().to_lowercase();
     vec![
@@ -205,21 +209,34 @@ fn read_claim(value: &Value, path: &str) -> Result<Claim, StudyError> {
 }
 
 fn read_evidence(value: &Value, path: String) -> Result<Evidence, StudyError> {
-    const KINDS: [&str; 5] = ["equals", "below", "above", "greater", "never_above"];
-    let known: Vec<&str> = ["study", "profile", "metric"].into_iter().chain(KINDS).collect();
+    const KINDS: [&str; 6] = ["equals", "below", "above", "greater", "never_above", "alike"];
+    let known: Vec<&str> = ["study", "profile", "metric", "within"].into_iter().chain(KINDS).collect();
     let fields = Fields::of(value, &path, &known)?;
     let given: Vec<&str> = KINDS.into_iter().filter(|kind| fields.get(kind).is_some()).collect();
     let [kind] = given[..] else {
         return fault(path, format!("expected one of {}, found {}", KINDS.join(", "), given.len()));
     };
     let (at, expected) = (fields.at(kind), fields.need(kind, "what is expected")?);
-    let cell = |value: &Value, at: &str| name(value, at);
-    let kind = if kind == "greater" {
+    if kind != "alike" && fields.get("within").is_some() {
+        return fault(fields.at("within"), "expected no such field: it says how near means are that are alike");
+    }
+    let kind = if ["greater", "alike"].contains(&kind) {
         let cells = elements(expected, &at, 2)?;
         let [(first_at, first), (second_at, second)] = &cells[..] else {
             return fault(at, "expected two cells, found one");
         };
-        Kind::Greater(cell(first, first_at)?, cell(second, second_at)?)
+        let (first, second) = (name(first, first_at)?, name(second, second_at)?);
+        if kind == "greater" {
+            Kind::Greater(first, second)
+        } else {
+            let within = fields.need("within", "how far the means may be apart")?;
+            let positive = within.as_f64().filter(|within| *within >= 0.0);
+            let Some(within) = positive else {
+                let found = crate::parameter::shown(within);
+                return fault(fields.at("within"), format!("expected a number of at least 0, found {found}"));
+            };
+            Kind::Alike([first, second], within)
+        }
     } else {
         let all = entries(expected, &at)?;
         let [(own, value)] = all[..] else {

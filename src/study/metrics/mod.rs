@@ -3,12 +3,16 @@
 mod foraging;
 #[cfg(feature = "sequencing")]
 mod planning;
+#[cfg(feature = "soccer")]
+mod soccer;
 
 use crate::geese::Measure;
 use crate::scenario::{Run, WorldParams};
 use foraging::{Foraging, Reached as Delivered};
 #[cfg(feature = "sequencing")]
 use planning::Planning;
+#[cfg(feature = "soccer")]
+pub(super) use soccer::Soccer;
 
 /// A number that a run gives; see [`Metric::all`] for all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +22,9 @@ pub enum Metric {
     /// Of the search for a sequence of behaviours.
     #[cfg(feature = "sequencing")]
     Planning(Planning),
+    /// Of a match.
+    #[cfg(feature = "soccer")]
+    Soccer(Soccer),
 }
 
 /// What numbers a metric can be.
@@ -38,6 +45,8 @@ impl Metric {
         let all = Foraging::ALL.iter().map(|&(name, metric)| (name, Self::Foraging(metric)));
         #[cfg(feature = "sequencing")]
         let all = all.chain(Planning::ALL.iter().map(|&(name, metric)| (name, Self::Planning(metric))));
+        #[cfg(feature = "soccer")]
+        let all = all.chain(Soccer::ALL.iter().map(|&(name, metric)| (name, Self::Soccer(metric))));
         all.collect()
     }
 
@@ -54,6 +63,8 @@ impl Metric {
             Self::Foraging(_) => "geese",
             #[cfg(feature = "sequencing")]
             Self::Planning(_) => "sequencing",
+            #[cfg(feature = "soccer")]
+            Self::Soccer(_) => "soccer",
         }
     }
 
@@ -64,6 +75,8 @@ impl Metric {
             Self::Foraging(metric) => metric.name(),
             #[cfg(feature = "sequencing")]
             Self::Planning(metric) => metric.name(),
+            #[cfg(feature = "soccer")]
+            Self::Soccer(metric) => metric.name(),
         }
     }
 
@@ -74,6 +87,8 @@ impl Metric {
             Self::Foraging(metric) => metric.label(),
             #[cfg(feature = "sequencing")]
             Self::Planning(metric) => metric.label(),
+            #[cfg(feature = "soccer")]
+            Self::Soccer(metric) => metric.label(),
         }
     }
 
@@ -84,6 +99,8 @@ impl Metric {
             Self::Foraging(metric) => metric.help(),
             #[cfg(feature = "sequencing")]
             Self::Planning(metric) => metric.help(),
+            #[cfg(feature = "soccer")]
+            Self::Soccer(metric) => metric.help(),
         }
     }
 
@@ -94,6 +111,8 @@ impl Metric {
             Self::Foraging(metric) => metric.form(),
             #[cfg(feature = "sequencing")]
             Self::Planning(metric) => metric.form(),
+            #[cfg(feature = "soccer")]
+            Self::Soccer(metric) => metric.form(),
         }
     }
 
@@ -104,6 +123,9 @@ impl Metric {
             // The search is over when the run begins, and carrying the plan out tells nothing new.
             #[cfg(feature = "sequencing")]
             Self::Planning(_) => true,
+            // The last second can still change everything.
+            #[cfg(feature = "soccer")]
+            Self::Soccer(_) => false,
         }
     }
 }
@@ -120,7 +142,7 @@ pub(super) struct Reached {
 pub(super) fn advance(run: &mut Run, metrics: &[Metric], reached: &mut Reached, steps: u32) -> bool {
     for _ in 0..steps {
         let counts = !run.geese().is_some_and(crate::geese::World::awaits_test);
-        if counts {
+        if counts && run.geese().is_some() {
             reached.delivered.note(run);
         }
         let is_settled = counts && metrics.iter().all(|metric| metric.is_settled(run, reached));
@@ -134,10 +156,14 @@ pub(super) fn advance(run: &mut Run, metrics: &[Metric], reached: &mut Reached, 
 /// The metrics of a run as it stands, in their order; `None` for what has not come about.
 pub(super) fn measure(run: &Run, metrics: &[Metric], reached: &Reached) -> Vec<Option<f64>> {
     let measure = run.geese().map(Measure::of);
+    #[cfg(feature = "soccer")]
+    let outcome = run.soccer().map(crate::soccer::World::outcome);
     let value = |metric: &Metric| match metric {
         Metric::Foraging(metric) => metric.of(run, measure.as_ref()?, &reached.delivered),
         #[cfg(feature = "sequencing")]
         Metric::Planning(metric) => metric.of(run.sequencing()?),
+        #[cfg(feature = "soccer")]
+        Metric::Soccer(metric) => metric.of(run.soccer()?, outcome.as_ref()?),
     };
     metrics.iter().map(value).collect()
 }

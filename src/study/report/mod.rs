@@ -1,6 +1,8 @@
 //! The report on a study's results, as data and as Markdown: what was run, what came out, the tests, and the paper's values
 //! beside ours.
 
+#[cfg(feature = "soccer")]
+mod matches;
 mod paper;
 mod table;
 mod tests;
@@ -47,7 +49,7 @@ impl Sample {
 /// One part of a report: a table, with how to read it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Section {
-    /// The name of the metric that it describes, or `tests`, or `paper`.
+    /// The name of the metric that it describes, or `tests`, or `paper`; of matches, `matches-` and what is told of them.
     pub name: &'static str,
     /// Its heading.
     pub title: &'static str,
@@ -72,7 +74,8 @@ pub struct Report {
     pub run: String,
     /// Why runs failed, and how many for each reason.
     pub failures: Vec<(String, u32)>,
-    /// A table for each metric in their order, then the tests and the paper's values where the study has them.
+    /// What is told of matches, if the study is of any; a table for each metric in their order; then the tests and the
+    /// paper's values where the study has them.
     pub sections: Vec<Section>,
 }
 
@@ -81,7 +84,10 @@ impl Report {
     #[must_use]
     pub fn of(results: &Results) -> Self {
         let study = results.study();
-        let mut sections: Vec<Section> = study.metrics.iter().map(|metric| table::section(results, *metric)).collect();
+        let mut sections: Vec<Section> = Vec::new();
+        #[cfg(feature = "soccer")]
+        sections.extend(matches::sections(results));
+        sections.extend(study.metrics.iter().map(|metric| table::section(results, *metric)));
         sections.extend(tests::section(results));
         sections.extend(paper::section(results));
         Self {

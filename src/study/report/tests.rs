@@ -6,7 +6,8 @@ use crate::study::metrics::Metric;
 use crate::study::plan::{Test, TestKind};
 use crate::study::results::Results;
 use crate::study::statistics::{
-    Estimate, Summary, Tails, Z95, difference_interval, fisher, holm, mann_whitney, one_sample_t, welch_t,
+    Estimate, Summary, Tails, Z95, difference_interval, fisher, holm, kolmogorov_smirnov, mann_whitney, one_sample_t,
+    welch_t,
 };
 
 const RULE: &str = "Each row compares the first cell with the second. p is given for both tails together, for \"the first is \
@@ -20,8 +21,13 @@ struct Done {
     n: String,
     statistic: String,
     p: Tails,
-    effect: (&'static str, Estimate),
+    effect: String,
     word: &'static str,
+}
+
+/// An effect with its interval.
+fn effect(name: &str, Estimate { value, low, high }: Estimate) -> String {
+    format!("{name} {} ({} to {})", number(value), number(low), number(high))
 }
 
 /// The section, if the study has tests.
@@ -45,13 +51,7 @@ pub fn section(results: &Results) -> Option<Section> {
                 p(done.p.greater),
                 p(done.p.less),
                 p(adjusted.next().unwrap_or(1.0)),
-                format!(
-                    "{} {} ({} to {})",
-                    done.effect.0,
-                    number(done.effect.1.value),
-                    number(done.effect.1.low),
-                    number(done.effect.1.high)
-                ),
+                done.effect,
                 done.word.to_owned(),
             ],
         });
@@ -76,9 +76,10 @@ pub fn section(results: &Results) -> Option<Section> {
 fn compared(results: &Results, test: &Test) -> String {
     let name = |cell: usize| results.study().cells[cell].name.as_str();
     match test.kind {
-        TestKind::Proportions([a, b]) | TestKind::MannWhitney([a, b]) | TestKind::WelchT([a, b]) => {
-            format!("{} / {}", name(a), name(b))
-        }
+        TestKind::Proportions([a, b])
+        | TestKind::MannWhitney([a, b])
+        | TestKind::KolmogorovSmirnov([a, b])
+        | TestKind::WelchT([a, b]) => format!("{} / {}", name(a), name(b)),
         TestKind::OneSampleT(cell, against) => format!("{} / the value {}", name(cell), number(against)),
     }
 }
@@ -99,8 +100,20 @@ fn run(results: &Results, test: &Test) -> Option<Done> {
                 n,
                 statistic: format!("U = {}", number(test.u)),
                 p: test.p,
-                effect: ("A12", test.a12),
+                effect: effect("A12", test.a12),
                 word,
+            })
+        }
+        TestKind::KolmogorovSmirnov(cells) => {
+            let [first, second] = cells.map(|cell| sample(cell).values);
+            let test = kolmogorov_smirnov(&first, &second)?;
+            Some(Done {
+                name: "Kolmogorov-Smirnov, exact",
+                n: format!("{}, {}", first.len(), second.len()),
+                statistic: format!("D = {}", number(test.d)),
+                p: test.p,
+                effect: format!("D {}", number(test.d)),
+                word: "",
             })
         }
         TestKind::WelchT(cells) => {
@@ -137,16 +150,16 @@ fn proportions(pairs: [(u32, u32); 2]) -> Option<Done> {
         n: format!("{}, {}", first.1, second.1),
         statistic: format!("{} and {} successes", first.0, second.0),
         p: fisher(first, second),
-        effect: ("difference", difference_interval(first, second)),
+        effect: effect("difference", difference_interval(first, second)),
         word: sized((arc(first) - arc(second)).abs(), [0.2, 0.5, 0.8]),
     })
 }
 
 /// A t test with Cohen's d, whose interval is the normal one of Hedges and Olkin (1985).
 fn student(name: &'static str, n: String, (t, freedom): (f64, f64), p: Tails, d: f64, error: f64) -> Done {
-    let effect = Estimate { value: d, low: d - Z95 * error, high: d + Z95 * error };
     let statistic = format!("t = {}, df {}", number(t), number(freedom));
-    Done { name, n, statistic, p, effect: ("d", effect), word: sized(d.abs(), [0.2, 0.5, 0.8]) }
+    let effect = effect("d", Estimate { value: d, low: d - Z95 * error, high: d + Z95 * error });
+    Done { name, n, statistic, p, effect, word: sized(d.abs(), [0.2, 0.5, 0.8]) }
 }
 
 fn sized(size: f64, [small, medium, large]: [f64; 3]) -> &'static str {

@@ -3,14 +3,18 @@
 mod describe;
 mod fisher;
 mod interval;
+mod kolmogorov_smirnov;
 mod mann_whitney;
+mod sign;
 mod special;
 mod student;
 
 pub use describe::{Summary, quantile};
 pub use fisher::fisher;
 pub use interval::{difference_interval, wilson};
+pub use kolmogorov_smirnov::{KolmogorovSmirnov, kolmogorov_smirnov};
 pub use mann_whitney::{MannWhitney, mann_whitney};
+pub use sign::sign_test;
 pub use special::{beta_inc, normal_upper};
 pub use student::{StudentTest, mean_interval, one_sample_t, t_quantile, t_upper, welch_t};
 

@@ -165,7 +165,7 @@ export function createStudyResults({ pane, run, session, state, speed, committed
   function showTables(reported) {
     const sections = reported?.report.sections ?? [];
     const plotted = figureMetric();
-    const rank = (/** @type {string} */ name) => (name === 'paper' ? 0 : name === plotted ? 1 : name === 'tests' ? 2 : 3);
+    const rank = (/** @type {string} */ name) => (name === 'paper' || name.startsWith('matches-') ? 0 : name === plotted ? 1 : name === 'tests' ? 2 : 3);
     const ordered = sections.map((section, index) => ({ section, index })).sort((a, b) => rank(a.section.name) - rank(b.section.name) || a.index - b.index);
     const names = ordered.map(({ section }) => section.name).join(' ');
     if (names !== study) {

@@ -25,6 +25,7 @@ mod inspect;
 mod language;
 mod lattice;
 mod leaf;
+mod learning;
 mod machine;
 mod measure;
 mod mind;

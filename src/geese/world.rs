@@ -2,17 +2,16 @@
 
 use super::archive::Archive;
 use super::body::{Actor, Body};
-use super::breeding::{Best, Breeder, Source};
+use super::breeding::Breeder;
 use super::controller::{Controller, Planted};
 use super::field::Field;
-use super::grid::Area;
 use super::mind::{Feedback, Mind, Program, Storage};
 use super::near::Near;
 use super::outcome::{Finished, Outcome, Sample};
-use super::params::{Activation, Params, PopulationForm, StorageContent, SwapRule, Task};
+use super::params::{Activation, Params, PopulationForm, Task};
 use super::population::{Deal, Dealt, Known, Population};
 use super::program::{Compiler, Sentences};
-use super::switches::{ExplorationRule, FitnessRule, Neighbours, Sensing, StorageValue};
+use super::switches::{ExplorationRule, FitnessRule};
 use super::visited::Visited;
 use crate::bt::{Status, tick_once};
 use crate::evolution::Genome;
@@ -47,7 +46,7 @@ pub struct State {
     /// The programs of a fixed population that runs them in turns.
     turns: Arc<[Known]>,
     /// What was taken up so far; grows only when it will be asked for.
-    archive: Archive,
+    pub(super) archive: Archive,
     activation: Stream,
     order: Vec<u32>,
     /// Agents that have touched no trap.
@@ -352,104 +351,6 @@ impl State {
             FitnessRule::Delayed => mind.last[0],
         };
         mind.fitness = params.fitness_memory * remembered + sum;
-    }
-
-    /// Sense, act and update: takes copies of the neighbours' genomes, and breeds when it has enough of them.
-    ///
-    /// Source: BeTr-GEESE, section 3. Our choices: neighbours are the agents within the sensing radius, and a stored
-    /// genome keeps the fitness it had when it was taken. In the authors' code an agent meets its cell mates and itself,
-    /// two at least, stored fitness is live, and one that gets nowhere breeds with ten random genomes.
-    fn meet(&mut self, params: &Params, breeder: &mut Breeder, near: &mut Near, agent: u32) {
-        // In every turn, also alone: what donors had two programs ago is nowhere to be found.
-        if params.storage_value == StorageValue::Live {
-            let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
-            storage.refresh(&self.minds);
-            self.minds[agent as usize].storage = storage;
-        }
-        let place = self.field.agents.point(agent);
-        near.clear();
-        let area = match params.neighbours {
-            Neighbours::Radius => Area::Disc(params.sense_radius),
-            Neighbours::Cell => self.field.area(Sensing::Cell, place, 0.0),
-        };
-        self.field.agents.near(place, area, |other, _| near.add(other));
-        if params.neighbours == Neighbours::Radius {
-            near.remove(agent);
-        }
-        if near.is_empty() && params.stagnation == 0 {
-            return;
-        }
-        let mind = &mut self.minds[agent as usize];
-        near.retain(|_| chance(&mut mind.evolution, params.interaction_probability));
-        if params.neighbours == Neighbours::Cell && near.ids().len() < 2 {
-            near.clear();
-        }
-        let again = params.storage_content == StorageContent::Meetings;
-        let entries = mind.storage.entries();
-        let replaced = entries.iter().filter(|entry| !again && near.contains(entry.donor)).count();
-        let stored = entries.len() + near.ids().len() - replaced;
-        let is_full = stored > params.storage_threshold as usize;
-        let is_stuck = params.stagnation > 0
-            && self.tick - mind.since > params.stagnation
-            && mind.exploration(params.exploration) < 2;
-        if is_full || is_stuck {
-            self.evolve(params, breeder, near, agent, !is_full);
-            return;
-        }
-        let live = params.storage_value == StorageValue::Live;
-        let mut storage = std::mem::take(&mut mind.storage);
-        for &donor in near.ids() {
-            storage.store(donor, &self.minds[donor as usize], again, live);
-        }
-        self.minds[agent as usize].storage = storage;
-    }
-
-    /// Breeds from the storage and those just met, and takes up the best child if the swap rule lets it.
-    ///
-    /// - `stuck`: whether it breeds with random genomes too.
-    fn evolve(&mut self, params: &Params, breeder: &mut Breeder, met: &Near, agent: u32, stuck: bool) {
-        let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
-        let mut rng = self.minds[agent as usize].evolution.clone();
-        let again = params.storage_content == StorageContent::Meetings;
-        let entries = storage.entries();
-        breeder.pool.clear();
-        breeder.pool.extend(entries.iter().enumerate().map(|(at, entry)| {
-            if !again && met.contains(entry.donor) { Source::Met(entry.donor) } else { Source::Stored(at as u32) }
-        }));
-        let is_stored = |donor: u32| !again && entries.iter().any(|entry| entry.donor == donor);
-        breeder.pool.extend(met.ids().iter().filter(|&&donor| !is_stored(donor)).map(|&donor| Source::Met(donor)));
-        if stuck {
-            let mut genome = Genome::default();
-            for _ in 0..10 {
-                if let Some(survey) = breeder.genesis(params, &mut rng, &mut genome) {
-                    breeder.pool.push(Source::Stored(storage.entries().len() as u32));
-                    storage.add_fresh(agent, survey.diversity, &genome);
-                }
-            }
-        }
-        let own = &self.minds[agent as usize];
-        let best = breeder.breed(params, &mut rng, own, storage.entries(), &self.minds);
-        storage.clear();
-        let mind = &mut self.minds[agent as usize];
-        let winner = best.filter(|best| match params.swap_rule {
-            SwapRule::Greater => best.diversity > mind.diversity,
-            SwapRule::NotSmaller => best.diversity >= mind.diversity,
-            SwapRule::Always => true,
-        });
-        if let Some(Best { genome, diversity }) = winner {
-            mind.genome.clone_from(genome);
-            mind.diversity = diversity;
-            if params.fitness == FitnessRule::Delayed || params.storage_value == StorageValue::Live {
-                mind.last = [mind.fitness, mind.last[0]];
-            }
-            if params.learning_steps > 0 && params.population_form == PopulationForm::Archive {
-                self.archive.add(&mind.genome);
-            }
-            mind.take_up(&mut breeder.compiler, self.tick);
-            self.swaps += 1;
-        }
-        mind.storage = storage;
-        mind.evolution = rng;
     }
 
     /// Touches what the next agents will need. In a crowd that is nowhere near the processor, and one agent after the other

@@ -3,10 +3,14 @@
 //! A scenario is JSON: `{"world": "geese", "seed": 42, "storage-threshold": 7}`. Fields that are left out have the
 //! defaults of the [`schema`]; presets in `scenarios/` give only what differs.
 
+#[cfg(feature = "soccer")]
+mod film;
 mod read;
 mod run;
 mod timeline;
 
+#[cfg(feature = "soccer")]
+pub use film::Film;
 pub use read::{ScenarioError, schema};
 pub use run::{Outcome, Run, Start};
 pub use timeline::Timeline;

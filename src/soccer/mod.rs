@@ -15,6 +15,8 @@
 
 mod arrangement;
 mod game;
+mod hand;
+mod moment;
 pub mod noise;
 mod params;
 pub mod physics;
@@ -29,6 +31,8 @@ mod world;
 
 pub use arrangement::{Arrangement, ArrangementError};
 pub use game::{Colour, Match, Outcome as Ending};
+pub use hand::{Driven, Intervention};
+pub use moment::{FRAME, Moment, ShownEdge, TeamMoment, machine_edges, machine_states};
 pub use params::Params;
 pub use schema::parameters;
 pub use statistics::Statistics;

@@ -1,7 +1,7 @@
 //! A match as it is looked at: a frame of film for drawing, and everything that an inspector shows of one moment.
 
 use super::game::Colour;
-use super::team::coach::machine::{State as MachineState, TRANSITIONS};
+use super::team::coach::machine::{Machine, State as MachineState, TRANSITIONS};
 use super::team::{Coached, Duties, Statuses, Watch};
 use super::view::{Ball, ROBOTS, View};
 use super::world::{Outcome, World};
@@ -106,11 +106,9 @@ pub struct TeamMoment {
 }
 
 /// What was seen of one team while a frame was played.
-pub struct Seen {
-    /// Statuses of the trees.
-    pub watch: Watch<Statuses>,
-    /// What the team was told, before it decided.
-    pub guards: Vec<(usize, bool)>,
+struct Seen {
+    watch: Watch<Statuses>,
+    guards: Vec<(usize, bool)>,
 }
 
 impl World {
@@ -157,7 +155,7 @@ impl World {
             call: names(seen.watch.call.list()),
             board,
             state: team.machine().map(|machine| machine.state().name()),
-            last: team.machine().and_then(|machine| machine.last()),
+            last: team.machine().and_then(Machine::last),
             guards: seen.guards,
             roles: [0, 1, 2].map(|robot: usize| names(seen.watch.roles[robot].list())),
         }

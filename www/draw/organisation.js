@@ -1,9 +1,9 @@
 /** @import { Organisation } from '../soccer/types.js' */
 
 export const SHEET = { width: 316, height: 300 };
-const ROLE = { width: 114, height: 26 };
+const ROLE = { width: 120, height: 26 };
 const COLUMN = { attack: 76, defend: 240 };
-const GROUP = 140;
+const GROUP = 146;
 const TOP = 116;
 const STEP = 44;
 
@@ -31,7 +31,7 @@ export function organisationDrawing({ structural }) {
     groups.push({ mode, x: x - GROUP / 2, y: TOP - 36, width: GROUP, height: 4 * STEP + 22 });
     for (const { role, least, most } of inside) {
       const row = ROWS[role]?.[mode === 'attack' ? 0 : 1] ?? 0;
-      const inner = x + (mode === 'attack' ? 1 : -1) * (ROLE.width / 2 + 13);
+      const inner = x + (mode === 'attack' ? 1 : -1) * (GROUP / 2 + 9);
       roles.push({ mode, role, x, y: TOP + row * STEP, inner, ...ROLE, bounds: `${least}..${most}` });
     }
   }

@@ -118,10 +118,18 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
   pitch.canvas.setAttribute('role', 'application');
   pitch.canvas.setAttribute('aria-describedby', 'soccer-summary');
   pitch.stage.classList.add('own');
-  frame.stages.append(pitch.stage);
-  frame.pane.insertBefore(situations.element, frame.stages);
+  frame.stages.append(pitch.stage, situations.refusal);
   frame.pane.append(band, legend.element);
+  const narrow = matchMedia('(max-width: 899px)');
+  narrow.addEventListener('change', place);
+  place();
   themes.on(pitch.invalidate);
+
+  /** On phones the pitch comes first. */
+  function place() {
+    if (narrow.matches) frame.pane.append(situations.element);
+    else frame.stages.before(situations.element);
+  }
 
   /** A | B and the tournament are loaded when they are first asked for. @type {Promise<SoccerCompare> | null} */
   let loadingCompare = null;
@@ -239,7 +247,8 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     const { tick } = playback;
     const { phase, seconds } = match.film.clock(tick);
     const goals = match.film.goals(tick);
-    const time = soccerText.board.time(phase, seconds);
+    const penalties = match.over && tick >= match.front() ? match.outcome?.shoot_out : undefined;
+    const time = penalties ? soccerText.board.shootOut(penalties) : soccerText.board.time(phase, seconds);
     const tag = drive.driving() ? soccerText.drive.live : state.name === 'running' ? '' : text.tag(state.name, state.reason);
     frame.show({ names: names(), goals, time, tag });
     showCall(tick);

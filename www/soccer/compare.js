@@ -9,15 +9,15 @@ import { createMatch } from './match.js';
 /** @import { SoccerMatch } from './match.js' */
 /** @import { SoccerPlayback } from './playback.js' */
 /** @import { SoccerSession } from './session.js' */
+/** @import { Scenario } from './types.js' */
 
 const words = soccerText.compare;
 
 /**
- * A | B: one seed and one opponent, two coaches of blue, a worker and a pitch each, one clock.
+ * A | B: A is the match of the page, B the same with another coach of blue, in a worker of its own. One seed, one clock.
  *
  * @param {{ frame: SoccerFrame, session: SoccerSession, playback: SoccerPlayback, match: SoccerMatch, layers: { names: boolean, trail: boolean },
  *   spawn: () => Worker, theme: () => PitchTheme, onTheme: (listener: () => void) => void, broke: (message: string) => void, announce: (message: string) => void }} parts
- *   `match` is that of the tab, whose clock both follow
  */
 export function createSoccerCompare({ frame, session, playback, match: own, layers, spawn, theme, onTheme, broke, announce }) {
   const { setting } = session;
@@ -25,9 +25,11 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
   let parted = -1; // the first tick at which the two differ; -1 while none is known
   let compared = 0; // ticks that were compared
   let told = '';
+  let opened = ''; // the scenario that B plays
+  const engine = createEngine(broke, spawn);
+  const other = createMatch(engine);
   const sides = /** @type {const} */ (['a', 'b']).map((letter, index) => {
-    const engine = createEngine(broke, spawn);
-    const match = createMatch(engine);
+    const match = index === 0 ? own : other;
     const pitch = createPitch({
       label: words.pitch(letter.toUpperCase()),
       scene() {
@@ -41,42 +43,40 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
     const name = h('span', { class: 'side-name' });
     const said = h('p', { class: 'side-said' });
     const element = h('section', { class: 'soccer-side', 'data-side': letter, 'aria-label': letter.toUpperCase() }, h('h3', {}, h('b', {}, letter.toUpperCase()), ' ', name), pitch.stage, said);
-    match.on('opened', pitch.invalidate);
     match.on('grown', progress);
     match.on('over', progress);
     onTheme(pitch.invalidate);
-    return { letter, index, engine, match, pitch, name, said, element };
+    return { letter, match, pitch, name, said, element };
   });
 
-  const pair = h('select', { id: 'soccer-pair' }, ...words.pairs.map(([value, label]) => h('option', { value }, label)));
-  const kinds = Object.entries(soccerText.kinds);
-  const against = h('select', { id: 'soccer-against' }, ...kinds.map(([value, label]) => h('option', { value }, label)));
+  const blue = h('select', { id: 'soccer-other' }, ...Object.entries(soccerText.kinds).map(([value, label]) => h('option', { value }, label)));
   const status = h('p', { class: 'compare-said', id: 'soccer-compare' });
-  const bar = h('div', { class: 'soccer-compare-bar' }, h('label', { for: pair.id }, words.pair), pair, h('label', { for: against.id }, words.against), against, status);
+  const bar = h('div', { class: 'soccer-compare-bar' }, h('label', { for: blue.id }, words.other), blue, status);
   const element = h('div', { class: 'soccer-sides' }, ...sides.map((side) => side.element));
   const note = h('p', { class: 'status-key' }, words.note);
-  for (const select of [pair, against]) select.addEventListener('change', () => void run());
+  blue.addEventListener('change', () => void run());
 
-  /** Both play from the first kick-off. */
+  /** B plays from the first kick-off, with whatever was done to A. */
   async function run() {
     if (!on) return;
-    parted = -1;
-    compared = 0;
-    told = '';
-    write(status, words.computing);
-    const blues = pair.value.split(' ');
-    const common = { ...session.scenario(), 'blue-coach': '', 'yellow-coach': '', yellow: against.value, events: [] };
-    await Promise.all(
-      sides.map(({ match, name, index }) => {
-        write(name, words.side(soccerText.kinds[blues[index]], soccerText.kinds[against.value]));
-        return match.open({ ...common, blue: blues[index] });
-      }),
-    );
-    show();
+    /** @type {Scenario} */
+    const scenario = { ...session.scenario(), blue: blue.value, 'blue-coach': '' };
+    const written = JSON.stringify(scenario);
+    if (written !== opened) {
+      opened = written;
+      write(status, words.computing);
+      other.film.clear();
+      await other.open(scenario);
+    }
+    [parted, compared, told] = [-1, 0, ''];
+    const kinds = [session.scenario(), scenario].map((each) => words.side(soccerText.kinds[each.blue] + (each['blue-coach'] ? words.edited : ''), soccerText.kinds[each.yellow]));
+    sides.forEach(({ name }, index) => write(name, kinds[index]));
+    progress();
   }
 
   /** Compares what both have computed. */
   function progress() {
+    if (!on) return;
     const [a, b] = sides.map(({ match }) => match);
     const known = Math.min(a.film.count, b.film.count);
     while (parted < 0 && compared < known) {
@@ -104,6 +104,7 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
   }
 
   session.on(() => void run());
+  own.on('cut', () => void run());
   playback.on(show);
 
   return {
@@ -111,30 +112,27 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
 
     open() {
       on = true;
-      against.value = String(session.scenario().yellow);
+      blue.value = session.scenario().blue === 'machine' ? 'tree' : 'machine';
       frame.stages.prepend(element);
       frame.stages.after(note);
       frame.head.prepend(bar);
-      for (const { engine } of sides) engine.start();
-      own.hold(); // two matches are enough
+      engine.start();
       void run();
     },
 
     close() {
       on = false;
-      for (const { match, engine } of sides) {
-        match.abandon();
-        engine.end();
-      }
+      opened = '';
+      other.abandon();
+      engine.end();
       element.remove();
       note.remove();
       bar.remove();
-      own.resume();
     },
 
     redraw: show,
-    hold: () => sides.forEach(({ match }) => match.hold()),
-    resume: () => on && sides.forEach(({ match }) => match.resume()),
+    hold: other.hold,
+    resume: () => void (on && other.resume()),
   };
 }
 

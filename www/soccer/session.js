@@ -100,7 +100,7 @@ export function createSoccerSession({ engine, match, playback, address, schema, 
     async act(key, value) {
       const later = (session.scenario().events ?? []).filter(({ tick }) => tick > playback.tick).length;
       const refusal = await match.set(playback.tick, key, value);
-      if (refusal) return refusal;
+      if (refusal) return refusal.replace(/^soccer\.\w+: /, ''); // it is plain what was meant
       if (later > 0) say(soccerText.cut(playback.tick));
       tell();
       void session.writeAddress();

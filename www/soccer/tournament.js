@@ -75,7 +75,7 @@ export function createTournament({ frame, session, watch, announce }) {
   const table = createStandingsTable(words.caption, 'soccer-standings');
   const sums = h('p', { class: 'said small', id: 'soccer-sums' });
   const rows = h('tbody', {});
-  const list = h('table', { class: 'games' }, h('caption', {}, words.games), h('thead', {}, h('tr', {}, ...words.gameColumns.map((column) => h('th', { scope: 'col' }, column)))), rows);
+  const list = h('table', { class: 'games' }, h('thead', {}, h('tr', {}, ...words.gameColumns.map((column) => h('th', { scope: 'col' }, column)))), rows);
   const element = h(
     'div',
     { class: 'tournament', tabindex: 0, role: 'region', 'aria-label': words.title },

@@ -30,16 +30,16 @@ export function createSituations({ hold, session, drive, takeBack, stage, say })
   const place = h('span', { class: 'place' }, ...fields.map(({ element }) => element));
   const refusal = h('p', { class: 'refused-place', id: 'soccer-refusal', role: 'alert' });
   const back = button(words.undo, takeBack, { title: words.undoLong });
-  const element = h(
+  const tools = h(
     'div',
     { class: 'soccer-tools', role: 'group', 'aria-label': words.label },
     h('span', { class: 'joined stage-one' }, select, go),
-    h('span', { class: 'move' }, h('label', { for: thing.id }, words.thing), thing),
-    place,
     drive,
-    back,
-    refusal,
+    h('span', { class: 'move' }, h('label', { for: thing.id }, words.thing), thing, place, back),
   );
+  const narrow = matchMedia('(max-width: 899px)');
+  const element = h('details', { class: 'tools-fold', open: !narrow.matches }, h('summary', {}, words.fold), tools);
+  narrow.addEventListener('change', () => (element.open = !narrow.matches));
 
   thing.addEventListener('change', () => hold.choose(thing.value === '' ? null : Number(thing.value)));
 
@@ -53,19 +53,21 @@ export function createSituations({ hold, session, drive, takeBack, stage, say })
   function show() {
     const at = hold.place();
     thing.value = hold.chosen === null ? '' : String(hold.chosen);
-    place.hidden = at === null;
+    place.classList.toggle('blank', at === null); // it keeps its room: the pitch must not move under the hand
     if (at) {
       for (const { name, field, element: whole } of fields) {
-        whole.hidden = name === 'heading' && hold.chosen === BALL;
+        whole.classList.toggle('blank', name === 'heading' && hold.chosen === BALL);
         if (document.activeElement !== field) field.value = name === 'heading' ? at.heading.toFixed(0) : at[name].toFixed(3);
       }
     }
     write(refusal, hold.refusal === '' ? '' : words.refused(hold.refusal));
-    back.hidden = (session.scenario().events ?? []).length === 0;
+    back.classList.toggle('blank', (session.scenario().events ?? []).length === 0);
   }
 
   return {
     element,
+    /** Why something cannot stand where it was put; over the pitch. */
+    refusal,
     show,
     /** @param {boolean} on whether anything may be done now */
     enable(on) {

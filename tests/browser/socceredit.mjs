@@ -185,4 +185,26 @@ export const cases = [
       assert.equal(await again.whole(), fingerprint, 'the link plays the same match');
     },
   ],
+  [
+    'soccer_robot_is_driven_by_a_gamepad',
+    async (open) => {
+      const { page, whole, seek, inState, until, events } = await openSoccer(open);
+      await whole();
+      await seek(120);
+      await page.evaluate(() => {
+        const pad = { connected: true, axes: [0.02, -1, 0, 0], buttons: Array.from({ length: 16 }, () => ({ pressed: false })) };
+        Object.defineProperty(navigator, 'getGamepads', { value: () => [null, pad] });
+      });
+      await page.locator('#soccer-driven').selectOption('4');
+      await page.getByRole('button', { name: 'Drive a robot' }).click();
+      await inState('running');
+      await until(() => Number(/** @type {HTMLInputElement} */ (document.querySelector('#soccer-scrub')).value) > 140);
+      await page.getByRole('button', { name: 'Stop driving' }).click();
+      await whole();
+      await until(() => location.hash.includes('f='));
+      const list = await events();
+      assert.deepEqual(list[0].value, { team: 'yellow', robot: 2, wheels: [34, 34] }, 'a tremble of the stick counts as rest');
+      assert.equal(list.length, 2);
+    },
+  ],
 ];

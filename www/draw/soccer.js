@@ -12,6 +12,7 @@ const CROSS = { x: 0.375, y: 0.4, dot: 0.2 };
 const ROOM = { x: 0.9, y: 0.7 }; // what is shown, from the middle
 const LEAST_BALL = 4; // pixels
 const NUMBERED = 24; // pixels of a robot's side from which its number is written
+const NAME = { x: 0.11, y: 0.13 }; // metres around a robot that its name needs
 const TRAIL = 90; // ticks
 const TRAIL_STEP = 2;
 
@@ -133,7 +134,22 @@ export function drawPlayers(context, { width, height, frame, names, layers }, th
   context.arc(scale.x(frame[18]), scale.y(frame[19]), ballRadius(scale.unit), 0, TAU);
   context.fill();
   context.stroke();
-  if (layers.names) names.forEach((name, robot) => drawName(context, theme, scale.x(frame[3 * robot]), scale.y(frame[3 * robot + 1]) - 1.55 * half, name, scale.unit));
+  if (!layers.names) return;
+  names.forEach((name, robot) => {
+    const [x, y] = [scale.x(frame[3 * robot]), scale.y(frame[3 * robot + 1])];
+    const below = isCrowded(frame, robot, 1) && !isCrowded(frame, robot, -1);
+    drawName(context, theme, x, below ? y + 1.55 * half + 9 : y - 1.55 * half, name, scale.unit);
+  });
+}
+
+/** Whether something stands where a robot's name would be written. @param {Float32Array} frame @param {number} robot @param {1 | -1} side above or below it */
+function isCrowded(frame, robot, side) {
+  const [x, y] = [frame[3 * robot], frame[3 * robot + 1]];
+  for (let other = 0; other <= 6; other += 1) {
+    const up = side * (frame[3 * other + 1] - y); // the ball follows the six robots
+    if (other !== robot && Math.abs(frame[3 * other] - x) < NAME.x && up > 0.02 && up < NAME.y) return true;
+  }
+  return false;
 }
 
 /** @param {CanvasRenderingContext2D} context @param {PitchTheme} theme @param {number} cx @param {number} cy @param {number} half @param {number} heading @param {number} robot */

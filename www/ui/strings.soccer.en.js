@@ -166,7 +166,7 @@ export const soccerText = {
     board: 'Blackboard',
     boardColumns: ['Entry', 'Value'],
     edit: 'Edit the text',
-    drawing: 'Show the drawing',
+    hide: 'Hide the text',
     workbench: 'Open in the workbench',
     workbenchTitle: (/** @type {string} */ team) => `Coach of ${team}`,
     applied: 'This coach plays.',

@@ -48,7 +48,7 @@ export function createCoachTab({ scopes, session, setting, shapes, moment, text,
     const tree = team.coach === 'tree';
     ways.hidden = !tree;
     text.element.hidden = !text.open(scopes.team) || !(tree || text.what() === 'roles');
-    write(edit, text.element.hidden ? words.edit : words.drawing);
+    write(edit, text.element.hidden ? words.edit : words.hide);
     frame.hidden = !tree;
     said.hidden = !tree;
     details.hidden = !tree;

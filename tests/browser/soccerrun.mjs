@@ -213,4 +213,19 @@ export const cases = [
       await notice(/overlap\.json was not opened: events\[0\]\.value: robot 1 of the left team: expected a place apart from robot 2/);
     },
   ],
+  [
+    'broken_soccer_engine_is_replaced_and_the_match_plays_again',
+    async (open) => {
+      const { page, whole, seek, tick, inState } = await openSoccer(open);
+      const before = await whole();
+      await seek(300);
+      await page.workers()[0].evaluate(() => self.postMessage({ id: 0, type: 'error', fatal: true, message: 'panicked at a test' }));
+      await page.locator('#soccer .fault').filter({ hasText: 'panicked at a test' }).waitFor();
+      await inState('error');
+      await page.getByRole('button', { name: 'Play again' }).click();
+      await inState('paused');
+      assert.equal(await whole(), before);
+      assert.equal(await tick(), 300);
+    },
+  ],
 ];

@@ -79,8 +79,9 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     theme,
     drawn: () => handles.show(),
   });
+  const ended = () => match.over && playback.tick >= match.front();
   const may = () => !drive.driving() && state.name !== 'error' && !match.held && !compare?.on() && !tournament?.on();
-  const handles = createHandles({ pitch, hold, frame: () => (match.film.count > 0 ? shown() : null), may, clear: () => hold.choose(null) });
+  const handles = createHandles({ pitch, hold, frame: () => (match.film.count > 0 ? shown() : null), may: () => may() && !ended(), clear: () => hold.choose(null) });
   const drive = createDrive({ match, playback, session, announce, say, changed: show, keys: element });
   const situations = createSituations({ hold, session, drive: drive.element, takeBack, stage, say });
   const legend = createPitchLegend({ layers, playback, changed: () => (pitch.invalidate(), compare?.redraw()) });
@@ -192,7 +193,6 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
 
   /** Stages a situation at the moment on screen. @param {object} value @param {string} label */
   async function stage(value, label) {
-    if (match.over && playback.tick >= match.front()) return soccerText.situation.over;
     playback.pause();
     const refusal = await session.act('soccer.restart', value);
     if (!refusal) {
@@ -224,7 +224,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
   /** State and words follow from what goes on. */
   function settle() {
     if (state.name === 'error' || match.film.count === 0) return;
-    const name = drive.driving() || playback.playing ? 'running' : match.over && playback.tick >= match.front() ? 'finished' : 'paused';
+    const name = drive.driving() || playback.playing ? 'running' : ended() ? 'finished' : 'paused';
     if (state.name === name) return;
     if (name === 'running' && state.name === 'finished') state.to('paused');
     state.to(name, name === 'finished' ? match.finished : '');
@@ -247,7 +247,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     const { tick } = playback;
     const { phase, seconds } = match.film.clock(tick);
     const goals = match.film.goals(tick);
-    const penalties = match.over && tick >= match.front() ? match.outcome?.shoot_out : undefined;
+    const penalties = ended() ? match.outcome?.shoot_out : undefined;
     const time = penalties ? soccerText.board.shootOut(penalties) : soccerText.board.time(phase, seconds);
     const tag = drive.driving() ? soccerText.drive.live : state.name === 'running' ? '' : text.tag(state.name, state.reason);
     frame.show({ names: names(), goals, time, tag });

@@ -36,7 +36,7 @@ export function createDrive({ match, playback, session, announce, say, changed, 
   let commands = 0;
 
   async function begin() {
-    if (match.over && playback.tick >= match.front()) return say(soccerText.situation.over);
+    if (match.over && playback.tick >= match.front()) return say(soccerText.situation.refused(soccerText.situation.over));
     playback.pause();
     Object.assign(held, { ahead: false, back: false, left: false, right: false });
     match.live(true);

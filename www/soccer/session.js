@@ -98,6 +98,7 @@ export function createSoccerSession({ engine, match, playback, address, schema, 
 
     /** Does something to the match at the moment on screen. @param {string} key @param {unknown} value */
     async act(key, value) {
+      if (match.over && playback.tick >= match.front()) return soccerText.situation.over;
       const later = (session.scenario().events ?? []).filter(({ tick }) => tick > playback.tick).length;
       const refusal = await match.set(playback.tick, key, value);
       if (refusal) return refusal.replace(/^soccer\.\w+: /, ''); // it is plain what was meant

@@ -120,7 +120,7 @@ export const soccerText = {
     moved: (/** @type {string} */ thing, /** @type {number} */ x, /** @type {number} */ y) => `${thing} at ${x.toFixed(2)}, ${y.toFixed(2)}. The match goes on from here.`,
     undo: 'Take back',
     undoLong: 'Take back everything done to the match',
-    over: 'The match is over: go back to a moment of play first.',
+    over: 'the match is over; go back to a moment of play first',
   },
   transport: {
     region: 'Transport',
@@ -171,7 +171,6 @@ export const soccerText = {
     workbenchTitle: (/** @type {string} */ team) => `Coach of ${team}`,
     applied: 'This coach plays.',
     builtIn: 'Built-in coach again',
-    chart: 'State chart',
     chartLabel: (/** @type {string} */ state) => `State machine with eight states. It is in ${state}.`,
     guards: 'Guards of this state, in the order in which they are tried',
     guardColumns: ['', 'Guard', 'To', 'Does'],

@@ -107,6 +107,26 @@ fn places_are_shown_at_the_tick_at_which_they_are_taken() {
 }
 
 #[test]
+fn what_is_not_moved_goes_on_as_it_did() {
+    let mut places = film();
+    places.ahead(300);
+    let mut there = places.arrangement(250);
+    there["blue"][0] = json!([-0.7, 0.1, 0.5]);
+    let after = |events: &Value| {
+        let mut run = run(events);
+        run.advance(251);
+        run.soccer().expect("a match").state().game().robots()
+    };
+    let (moved, left) = (after(&event(250, "arrangement", &there)), after(&json!([])));
+    for (robot, (one, other)) in moved.iter().zip(&left).enumerate().skip(1) {
+        let apart = libm::hypot(one.velocity[0] - other.velocity[0], one.velocity[1] - other.velocity[1]);
+        // The frame after the change still carries out the command from before it.
+        assert!(apart < 1e-6, "robot {robot}: {one:?} and {other:?}");
+    }
+    assert!(left.iter().skip(1).any(|pose| libm::hypot(pose.velocity[0], pose.velocity[1]) > 0.1), "some were moving");
+}
+
+#[test]
 fn a_staged_penalty_is_called_and_logged() {
     let mut run = run(&event(100, "restart", &json!({"kind": "penalty-kick", "team": "blue"})));
     run.advance(101);

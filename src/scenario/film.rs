@@ -47,12 +47,6 @@ impl Film {
         self.front
     }
 
-    /// Whether the match was filmed to its end.
-    #[must_use]
-    pub fn is_over(&self) -> bool {
-        self.over
-    }
-
     /// The frames taken since [`Film::clear`], see [`FRAME`].
     #[must_use]
     pub fn frames(&self) -> &[f32] {

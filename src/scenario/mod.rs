@@ -52,12 +52,13 @@ pub enum WorldParams {
     Soccer(Box<soccer::Params>),
 }
 
-/// A live parameter changed before the step that follows `tick`.
+/// A live parameter changed before the step that follows `tick`, or something done to a match from outside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     /// The tick at which the change was made.
     pub tick: u32,
-    /// The parameter's key, with its world: `geese.mutation-probability`.
+    /// The parameter's key, with its world: `geese.mutation-probability`. Of a match, one of the names of
+    /// `soccer::Intervention`, likewise: `soccer.restart`.
     pub key: String,
     /// The new value.
     pub value: Value,

@@ -235,7 +235,7 @@ impl Run {
         ticks
     }
 
-    /// Changes a live parameter now. The change becomes an event at this tick; later events are dropped, because
+    /// Changes a live parameter now, or does something to a match. The change becomes an event at this tick; later events are dropped, because
     /// what they belonged to will not happen.
     ///
     /// # Errors

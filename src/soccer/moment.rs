@@ -46,17 +46,19 @@ impl World {
         out.extend(counts.into_iter().flatten().map(|count| count as f32));
     }
 
-    /// Where everything is, as the value of an event `soccer.arrangement`.
+    /// Where everything is, as the value of an event `soccer.arrangement`: in millionths, since longer numbers may come back
+    /// from a text as their neighbours.
     #[must_use]
     pub fn arrangement(&self) -> serde_json::Value {
         let game = self.state().game();
         let arrangement = game.arrangement();
         let spots = |colour: Colour| {
-            arrangement.robots[game.side_of(colour).index()].map(|spot| [spot.at[0], spot.at[1], spot.heading])
+            arrangement.robots[game.side_of(colour).index()]
+                .map(|spot| [spot.at[0], spot.at[1], spot.heading].map(millionths))
         };
         let Ball { at, velocity } = arrangement.ball;
         serde_json::json!({
-            "ball": [at[0], at[1], velocity[0], velocity[1]], "blue": spots(Colour::Blue), "yellow": spots(Colour::Yellow),
+            "ball": [at[0], at[1], velocity[0], velocity[1]].map(millionths), "blue": spots(Colour::Blue), "yellow": spots(Colour::Yellow),
         })
     }
 }
@@ -160,6 +162,10 @@ impl World {
             roles: [0, 1, 2].map(|robot: usize| names(seen.watch.roles[robot].list())),
         }
     }
+}
+
+fn millionths(real: f64) -> f64 {
+    (real * 1e6).round() / 1e6
 }
 
 fn names(statuses: &[Status]) -> Vec<&'static str> {

@@ -152,7 +152,7 @@ impl World {
         match intervention {
             Intervention::Arrange(arrangement) => {
                 self.state.answer(&mut <[Watch<Silent>; 2]>::default());
-                let _ = self.state.game.arrange(arrangement);
+                let _ = self.state.game.arrange(&arrangement.keeping(&self.state.game.arrangement()));
             }
             Intervention::Restart(kick, taker) => {
                 self.state.game.stage(*kick, *taker);

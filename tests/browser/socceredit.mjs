@@ -33,6 +33,9 @@ export const cases = [
       await drag(6, 0, -0.55);
       await until((old) => location.hash !== old && location.hash.includes('f='), hash);
       assert.equal((await events()).length, 1, 'another change at the same moment takes the place of the first');
+      const kept = await whole();
+      const again = await openSoccer(open, await page.evaluate(() => location.hash));
+      assert.equal(await again.whole(), kept, 'the link plays the same match');
       await drag(3, 0, 0.56);
       await page.locator('#soccer-refusal').filter({ hasText: /^Not there: robot \d of the (left|right) team: expected a place apart from robot/ }).waitFor();
       await seek(300);

@@ -101,7 +101,7 @@ export function moved(arrangement, thing, { x, y, heading }) {
   const [px, py] = [x, y].map((value) => Math.round(value * 1e4) / 1e4);
   if (thing === BALL) return { ...arrangement, ball: [px, py] };
   const team = teamOf(thing);
-  const turned = Math.atan2(Math.sin(heading * DEGREES), Math.cos(heading * DEGREES));
+  const turned = Math.round(Math.atan2(Math.sin(heading * DEGREES), Math.cos(heading * DEGREES)) * 1e6) / 1e6;
   const robots = arrangement[team].map((spot, robot) => (robot === thing % 3 ? /** @type {[number, number, number]} */ ([px, py, turned]) : spot));
   return { ...arrangement, [team]: robots };
 }

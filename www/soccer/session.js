@@ -132,7 +132,7 @@ export function createSoccerSession({ engine, match, playback, address, schema, 
         push = true;
         if (!(await take(complete, preset, (why) => soccerText.fileRefused(name, why)))) return;
         say(soccerText.opened(name));
-        awaited = typeof written?.fingerprint === 'string' ? written.fingerprint : '';
+        awaited = String(written?.fingerprint ?? written?.fingerprints?.at?.(-1)?.[1] ?? ''); // of a log of this page, or of a replay
         verify();
       } catch (error) {
         say(soccerText.fileRefused(name, messageOf(error)), 'problem');

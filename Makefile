@@ -7,6 +7,9 @@
 PORT ?= 8080
 export PORT
 
+# Where the engine is built to, a folder for each face, see below.
+engine_folders := www/engine www/trees/engine www/studies/engine www/sequence/engine www/soccer/engine
+
 # First on PATH, since wasm-pack takes the wasm-bindgen and the wasm-opt it finds there: another version of the one
 # would not fit, and some distributions' version of the other breaks the page without an error.
 export PATH := $(CURDIR)/.tools/bin:$(CURDIR)/node_modules/.bin:$(PATH)
@@ -19,9 +22,8 @@ help:
 	@echo 'make clean    remove what was built, but not the tools and packages, which take minutes'
 
 # The browser's address is printed last; the sources of the page are served, so an edit shows at once.
-play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json www/engine/swarm_playground_bg.wasm \
-  www/trees/engine/swarm_playground_bg.wasm www/studies/engine/swarm_playground_bg.wasm \
-  www/sequence/engine/swarm_playground_bg.wasm www/schema.json
+play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json \
+  $(engine_folders:%=%/swarm_playground_bg.wasm) www/schema.json
 	@node scripts/play.mjs
 
 test: check
@@ -35,14 +37,13 @@ bench: check engine
 	@node scripts/bench.mjs
 
 clean:
-	rm -rf dist www/engine www/trees/engine www/studies/engine www/sequence/engine www/schema.json
+	rm -rf dist $(engine_folders) www/schema.json
 	cargo clean
 
 # Steps of the above, by name for scripts/test.mjs.
 tools: .tools/bin/wasm-pack
 packages: node_modules/.package-lock.json
-engine: www/engine/.optimised www/trees/engine/.optimised www/studies/engine/.optimised \
-  www/sequence/engine/.optimised www/schema.json
+engine: $(engine_folders:%=%/.optimised) www/schema.json
 
 check:
 	@sh scripts/check.sh $(MAKECMDGOALS)
@@ -64,8 +65,8 @@ node_modules/.package-lock.json: package-lock.json | check
 	@npm ci --no-audit --no-fund --loglevel error
 	@touch $@
 
-# The engine is four wasm files: the worlds, and the tree workbench, the studies and behaviour sequencing, which the page
-# loads when they are opened. Each is built in one place in two ways: quickly for `make play`, and optimised for
+# The engine is five wasm files: the worlds, and the tree workbench, the studies, behaviour sequencing and robot soccer,
+# which the page loads when they are opened. Each is built in one place in two ways: quickly for `make play`, and optimised for
 # everything that is given away or measured. The file .optimised says which one is there; `make play` takes either.
 #   $(call wasm_pack_build,FACE,FOLDER,OPTIONS OF WASM-PACK)
 # The worlds are in the first load, so they are built for size, but with more inlining than that implies: a tenth smaller
@@ -76,48 +77,29 @@ wasm_pack_build = $(if $(filter worlds,$(1)),CARGO_PROFILE_RELEASE_OPT_LEVEL=s \
   --out-dir $(2) --out-name swarm_playground --no-pack $(3) -- --no-default-features --features $(1)
 
 # Folders are among the sources: they change when a file is removed.
-engine_sources := Makefile Cargo.toml Cargo.lock $(shell find src scenarios)
+engine_sources := Makefile Cargo.toml Cargo.lock $(shell find src scenarios trees/soccer)
 
-www/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
-	@echo 'Building the engine'
-	@rm -f www/engine/.optimised
-	@$(call wasm_pack_build,worlds,www/engine,--no-opt)
+# The two rules of a face.
+#   $(call engine_rules,FACE,FOLDER,WHAT IT IS CALLED)
+define engine_rules
+$(2)/swarm_playground_bg.wasm: $$(engine_sources) .tools/bin/wasm-pack | check
+	@echo 'Building the $(3)'
+	@rm -f $(2)/.optimised
+	@$$(call wasm_pack_build,$(1),$(2),--no-opt)
 
-www/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
-	@echo 'Building the optimised engine'
-	@$(call wasm_pack_build,worlds,www/engine)
-	@touch $@
+$(2)/.optimised: $$(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
+	@echo 'Building the optimised $(3)'
+	@$$(call wasm_pack_build,$(1),$(2))
+	@touch $$@
 
-www/trees/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
-	@echo 'Building the tree workbench'
-	@rm -f www/trees/engine/.optimised
-	@$(call wasm_pack_build,trees,www/trees/engine,--no-opt)
+endef
 
-www/trees/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
-	@echo 'Building the optimised tree workbench'
-	@$(call wasm_pack_build,trees,www/trees/engine)
-	@touch $@
-
-www/studies/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
-	@echo 'Building the engine of the studies'
-	@rm -f www/studies/engine/.optimised
-	@$(call wasm_pack_build,studies,www/studies/engine,--no-opt)
+$(eval $(call engine_rules,worlds,www/engine,engine))
+$(eval $(call engine_rules,trees,www/trees/engine,tree workbench))
+$(eval $(call engine_rules,studies,www/studies/engine,engine of the studies))
+$(eval $(call engine_rules,sequence,www/sequence/engine,engine of behaviour sequencing))
+$(eval $(call engine_rules,soccer-page,www/soccer/engine,engine of robot soccer))
 
 # The first engine has no room for what is said of parameters; another one writes it down.
 www/schema.json: www/studies/engine/swarm_playground_bg.wasm scripts/schema.mjs
 	@node scripts/schema.mjs
-
-www/studies/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
-	@echo 'Building the optimised engine of the studies'
-	@$(call wasm_pack_build,studies,www/studies/engine)
-	@touch $@
-
-www/sequence/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-pack | check
-	@echo 'Building the engine of behaviour sequencing'
-	@rm -f www/sequence/engine/.optimised
-	@$(call wasm_pack_build,sequence,www/sequence/engine,--no-opt)
-
-www/sequence/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
-	@echo 'Building the optimised engine of behaviour sequencing'
-	@$(call wasm_pack_build,sequence,www/sequence/engine)
-	@touch $@

@@ -155,7 +155,7 @@ function onPath(name) {
 }
 
 const make = (...goals) => ['make', '--silent', '--no-print-directory', ...goals];
-const WASM = ['--target', 'wasm32-unknown-unknown', '--no-default-features', '--features', 'worlds,trees,studies,sequence'];
+const WASM = ['--target', 'wasm32-unknown-unknown', '--no-default-features', '--features', 'worlds,trees,studies,sequence,soccer-page'];
 
 // What a later part needs from an earlier one.
 let built = false;

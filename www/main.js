@@ -6,6 +6,7 @@ import { createKeys } from './ui/keys.js';
 import { text } from './ui/strings.en.js';
 import { createThemeSwitch } from './ui/theme.js';
 
+/** @import { SoccerTab } from './tabs/soccer.js' */
 /** @import { TreesTab } from './tabs/trees.js' */
 
 const live = find('#live');
@@ -17,6 +18,7 @@ const keys = createKeys({
   'tab-trees': () => void router.visit('trees'),
   'tab-studies': () => void router.visit('studies'),
   'tab-sequence': () => void router.visit('sequence'),
+  'tab-soccer': () => void router.visit('soccer'),
 });
 const router = createRouter({
   nav,
@@ -35,10 +37,16 @@ const router = createRouter({
       load: async (parts) => (await import('./tabs/sequence.js')).createSequence({ ...parts, element: find('#sequence'), live, themes }),
     },
     {
+      name: 'soccer',
+      label: text.tabs.soccer,
+      element: find('#soccer'),
+      load: async (parts) => (await import('./tabs/soccer.js')).createSoccer({ ...parts, element: find('#soccer'), live, themes, openTree }),
+    },
+    {
       name: 'trees',
       label: text.tabs.trees,
       element: find('#trees'),
-      load: async (parts) => (await import('./tabs/trees.js')).createTrees({ ...parts, element: find('#trees'), live }),
+      load: async (parts) => (await import('./tabs/trees.js')).createTrees({ ...parts, element: find('#trees'), live, playCoach }),
     },
     {
       name: 'studies',
@@ -63,4 +71,10 @@ void router.arrive(location.hash);
 async function openTree(xml, title) {
   const tab = /** @type {TreesTab | null} */ (await router.visit('trees'));
   tab?.openTree(xml, title);
+}
+
+/** Lets a tree of the workbench coach the blue team. @param {string} xml */
+async function playCoach(xml) {
+  const tab = /** @type {SoccerTab | null} */ (await router.visit('soccer'));
+  await tab?.playCoach(xml);
 }

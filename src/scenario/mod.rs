@@ -3,12 +3,16 @@
 //! A scenario is JSON: `{"world": "geese", "seed": 42, "storage-threshold": 7}`. Fields that are left out have the
 //! defaults of the [`schema`]; presets in `scenarios/` give only what differs.
 
+#[cfg(feature = "soccer")]
+mod film;
 mod read;
 #[cfg(feature = "soccer")]
 mod replay;
 mod run;
 mod timeline;
 
+#[cfg(feature = "soccer")]
+pub use film::Film;
 pub use read::{ScenarioError, schema};
 #[cfg(feature = "soccer")]
 pub use replay::{Difference, Replay};
@@ -52,12 +56,13 @@ pub enum WorldParams {
     Soccer(Box<soccer::Params>),
 }
 
-/// A live parameter changed before the step that follows `tick`.
+/// A live parameter changed before the step that follows `tick`, or something done to a match from outside.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     /// The tick at which the change was made.
     pub tick: u32,
-    /// The parameter's key, with its world: `geese.mutation-probability`.
+    /// The parameter's key, with its world: `geese.mutation-probability`. Of a match, one of the names of
+    /// `soccer::Intervention`, likewise: `soccer.restart`.
     pub key: String,
     /// The new value.
     pub value: Value,

@@ -255,6 +255,10 @@ fn at_event(index: usize, error: ScenarioError) -> ScenarioError {
 /// # Errors
 /// The key is unknown or needs a restart, the value is out of its bounds, or the parameters no longer fit together.
 pub(super) fn apply(world: &WorldParams, event: &Event) -> Result<WorldParams, ScenarioError> {
+    #[cfg(feature = "soccer")]
+    if let Some(read) = intervention(world, event) {
+        return read.map(|_| world.clone()).map_err(|message| ScenarioError { path: event.key.clone(), message });
+    }
     let parameter = live_parameter(world, &event.key)?;
     let value = parameter
         .kind
@@ -274,6 +278,32 @@ pub(super) fn apply(world: &WorldParams, event: &Event) -> Result<WorldParams, S
         Ok(()) => Ok(changed),
         Err((field, message)) => fault(field, message),
     }
+}
+
+/// What an event does to a match from outside; `None` when it changes a parameter.
+#[cfg(feature = "soccer")]
+pub(super) fn intervention(world: &WorldParams, event: &Event) -> Option<Result<soccer::Intervention, String>> {
+    let WorldParams::Soccer(params) = world else { return None };
+    soccer::Intervention::read(event.key.strip_prefix("soccer.")?, &event.value, params)
+}
+
+/// Checks that an event can have this key.
+fn check_key(world: &WorldParams, key: &str) -> Result<(), ScenarioError> {
+    #[cfg(feature = "soccer")]
+    if matches!(world, WorldParams::Soccer(_)) {
+        let name = key.strip_prefix("soccer.").unwrap_or_default();
+        if soccer::Intervention::NAMES.contains(&name) {
+            return Ok(());
+        }
+        if parameters(world).all(|parameter| parameter.name != name) {
+            let keys = soccer::Intervention::NAMES.map(|name| format!("soccer.{name}"));
+            return match nearest(key, keys.iter().map(String::as_str)) {
+                Some(near) => fault(key, format!("unknown event, did you mean \"{near}\"?")),
+                None => fault(key, format!("unknown event, expected one of {}", keys.join(", "))),
+            };
+        }
+    }
+    live_parameter(world, key).map(|_| ())
 }
 
 fn live_parameter(world: &WorldParams, key: &str) -> Result<&'static Parameter, ScenarioError> {
@@ -337,7 +367,7 @@ fn read_events(value: Option<&Value>, world: &WorldParams) -> Result<Vec<Event>,
         let Some(Value::String(key)) = fields.get("key") else {
             return fault(path(".key"), "expected a parameter's key such as \"geese.mutation-probability\"");
         };
-        live_parameter(world, key).map_err(|error| ScenarioError { path: path(".key"), message: error.message })?;
+        check_key(world, key).map_err(|error| ScenarioError { path: path(".key"), message: error.message })?;
         let Some(value) = fields.get("value") else {
             return fault(path(".value"), "expected a value, found no such field");
         };

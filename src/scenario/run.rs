@@ -1,6 +1,8 @@
 //! A run: a world that follows a scenario, with its events.
 
 use super::read::apply;
+#[cfg(feature = "soccer")]
+use super::read::intervention;
 use super::{Event, Scenario, ScenarioError, WorldParams};
 use crate::geese;
 #[cfg(feature = "sequencing")]
@@ -233,7 +235,7 @@ impl Run {
         ticks
     }
 
-    /// Changes a live parameter now. The change becomes an event at this tick; later events are dropped, because
+    /// Changes a live parameter now, or does something to a match. The change becomes an event at this tick; later events are dropped, because
     /// what they belonged to will not happen.
     ///
     /// # Errors
@@ -254,13 +256,30 @@ impl Run {
         Ok(())
     }
 
-    fn apply_events(&mut self) {
+    /// Makes one step as [`Run::advance`] does and returns what there is to see of it; `None` when it is no match.
+    #[cfg(feature = "soccer")]
+    pub fn step_watched(&mut self) -> Option<soccer::Moment> {
+        self.apply_events();
+        match &mut self.world {
+            World::Soccer(world) => Some(world.step_watched()),
+            World::Geese(_) => None,
+            #[cfg(feature = "sequencing")]
+            World::Sequencing(_) => None,
+        }
+    }
+
+    /// Lets the events of this tick happen, if they have not; a step does so first.
+    pub(super) fn apply_events(&mut self) {
         let tick = self.tick();
         let before = self.next_event;
         while let Some(event) = self.scenario.events.get(self.next_event).filter(|event| event.tick <= tick) {
             // Every event was checked when it was read or set; one that fits no more changes nothing.
             if let Ok(params) = apply(&self.params, event) {
                 self.params = params;
+            }
+            #[cfg(feature = "soccer")]
+            if let (World::Soccer(world), Some(Ok(hand))) = (&mut self.world, intervention(&self.params, event)) {
+                world.intervene(&hand);
             }
             self.next_event += 1;
         }
@@ -272,7 +291,7 @@ impl Run {
     fn tune(&mut self) {
         match (&mut self.world, &self.params) {
             (World::Geese(world), WorldParams::Geese(params)) => world.tune(params),
-            // Nothing of a plan or a match can change while it goes on, and a run's parameters are of its own world.
+            // No parameter of a plan or a match can change while it goes on, and a run's parameters are of its own world.
             #[cfg(any(feature = "sequencing", feature = "soccer"))]
             _ => {}
         }

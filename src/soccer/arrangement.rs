@@ -16,6 +16,8 @@ pub struct Arrangement {
 
 /// Overlaps up to this are accepted, as robots that press against each other have them, metres.
 const TOLERANCE: f64 = 0.002;
+/// What differs by less is the same number, metres, radians or metres per second: places are written in millionths.
+const SAME: f64 = 1e-6;
 /// The greatest speed of a ball that somebody sets, metres per second.
 const FASTEST: f64 = 4.0;
 
@@ -97,6 +99,24 @@ impl Arrangement {
             Some(Overlap { a, b, depth }) if depth > TOLERANCE => fault(Kind::Overlap { bodies: [a, b], depth }),
             Some(_) | None => Ok(()),
         }
+    }
+
+    /// The same arrangement, with everything that stands where it is in `now` taken from there: what was written down and
+    /// is not moved shall go on.
+    #[must_use]
+    pub fn keeping(&self, now: &Self) -> Self {
+        let near = |one: f64, other: f64| (one - other).abs() < SAME;
+        let both = |one: [f64; 2], other: [f64; 2]| near(one[0], other[0]) && near(one[1], other[1]);
+        let mut kept = *self;
+        for (spot, now) in kept.robots.iter_mut().flatten().zip(now.robots.iter().flatten()) {
+            if both(spot.at, now.at) && near(spot.heading, now.heading) {
+                *spot = *now;
+            }
+        }
+        if both(kept.ball.at, now.ball.at) && both(kept.ball.velocity, now.ball.velocity) {
+            kept.ball = now.ball;
+        }
+        kept
     }
 
     /// Everything put where it is, at rest.

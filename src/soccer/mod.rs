@@ -15,7 +15,9 @@
 
 mod arrangement;
 mod game;
+mod hand;
 pub mod ironcup;
+mod moment;
 pub mod noise;
 mod params;
 pub mod physics;
@@ -31,6 +33,8 @@ mod world;
 
 pub use arrangement::{Arrangement, ArrangementError};
 pub use game::{Colour, Ending, Match};
+pub use hand::{Driven, Intervention};
+pub use moment::{FRAME, Moment, ShownEdge, TeamMoment, machine_edges, machine_states};
 pub use params::Params;
 pub use schema::parameters;
 pub use statistics::Statistics;

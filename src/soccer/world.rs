@@ -3,9 +3,11 @@
 //! One tick is one control frame of play, 1/60 s; what the referee waits for takes no tick.
 
 use super::game::{Colour, Match};
+use super::hand::{Driven, Intervention};
 use super::params::Params;
-use super::team::{Event, EventKind, Team, TeamError, TeamKind};
-use super::view::{ROBOTS, Wheels};
+use super::team::{Event, EventKind, Team, TeamError, TeamKind, Watch};
+use super::view::{ROBOTS, View, Wheels};
+use crate::bt::{Recorder, Silent};
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, stream};
 use serde::Serialize;
@@ -25,6 +27,8 @@ pub struct State {
     events: Vec<TeamEvent>,
     /// Swaps of roles and changes of group of each team.
     counts: [[u32; 2]; 2],
+    /// The robot that somebody drives.
+    driven: Option<Driven>,
 }
 
 /// Something that one of the coaches did.
@@ -112,7 +116,7 @@ impl World {
         let blue = team(params, seed, Colour::Blue)?;
         let yellow = team(params, seed, Colour::Yellow)?;
         let game = Match::new(params, seed);
-        Ok(Self { state: State { game, teams: [blue, yellow], events: Vec::new(), counts: [[0; 2]; 2] } })
+        Ok(Self { state: State { game, teams: [blue, yellow], events: Vec::new(), counts: [[0; 2]; 2], driven: None } })
     }
 
     /// Everything that changes.
@@ -128,7 +132,33 @@ impl World {
 
     /// Plays one control frame; nothing when the match is over.
     pub fn step(&mut self) {
-        self.state.step();
+        self.state.step(&mut <[Watch<Silent>; 2]>::default(), |_, _| ());
+    }
+
+    /// As [`World::step`], with recorders for blue's and yellow's trees.
+    ///
+    /// - `look`: asked for each team before it plays the frame, with what it is told.
+    pub(super) fn play<R: Recorder, T>(
+        &mut self,
+        watches: &mut [Watch<R>; 2],
+        look: impl Fn(&Team, &View) -> T,
+    ) -> [T; 2] {
+        self.state.step(watches, look)
+    }
+
+    /// Does what somebody outside wants, before the next frame. Places were checked when they were read; those that cannot
+    /// be taken change nothing.
+    pub fn intervene(&mut self, intervention: &Intervention) {
+        match intervention {
+            Intervention::Arrange(arrangement) => {
+                self.state.answer(&mut <[Watch<Silent>; 2]>::default());
+                let _ = self.state.game.arrange(&arrangement.keeping(&self.state.game.arrangement()));
+            }
+            Intervention::Restart(kick, taker) => {
+                self.state.game.stage(*kick, *taker);
+            }
+            Intervention::Drive(driven) => self.state.driven = *driven,
+        }
     }
 
     /// How the match stands.
@@ -185,6 +215,12 @@ impl World {
         for &count in counts.iter().flatten() {
             hash.u32(count);
         }
+        if let Some(Driven { team, robot, wheels }) = self.state.driven {
+            hash.u32(1 + index(team) as u32);
+            hash.u32(robot as u32);
+            hash.f64(wheels.left);
+            hash.f64(wheels.right);
+        }
         hash.finish()
     }
 }
@@ -214,21 +250,45 @@ impl State {
         &self.events
     }
 
-    fn step(&mut self) {
-        let Self { game, teams, events, counts } = self;
+    /// Swaps of roles of each team since the match began.
+    #[must_use]
+    pub fn swaps(&self) -> [u32; 2] {
+        self.counts.map(|[swaps, _]| swaps)
+    }
+
+    /// The robot that somebody drives.
+    #[must_use]
+    pub fn driven(&self) -> Option<Driven> {
+        self.driven
+    }
+
+    /// Lets the teams answer the pending call, if there is one.
+    fn answer<R: Recorder>(&mut self, watches: &mut [Watch<R>; 2]) {
+        let Self { game, teams, .. } = self;
         let sides = [Colour::Blue, Colour::Yellow].map(|colour| game.side_of(colour));
-        // By side, which is what a match takes.
-        let order = |mine: usize| sides[mine].index();
-        if game.pending(sides[0]).is_some() {
-            let mut lineups = [0, 1].map(|team| teams[team].called(&game.view(sides[team])));
-            if order(0) == 1 {
-                lineups.swap(0, 1);
-            }
-            game.place(&lineups);
+        if game.pending(sides[0]).is_none() {
+            return;
         }
+        let mut lineups =
+            [0, 1].map(|team| teams[team].called_watched(&game.view(sides[team]), &mut watches[team].call));
+        // By side, which is what a match takes.
+        if sides[0].index() == 1 {
+            lineups.swap(0, 1);
+        }
+        game.place(&lineups);
+    }
+
+    fn step<R: Recorder, T>(&mut self, watches: &mut [Watch<R>; 2], look: impl Fn(&Team, &View) -> T) -> [T; 2] {
+        self.answer(watches);
+        let Self { game, teams, events, counts, driven } = self;
+        let sides = [Colour::Blue, Colour::Yellow].map(|colour| game.side_of(colour));
+        let seen = [0, 1].map(|team| look(&teams[team], &game.view(sides[team])));
         let mut wheels = [[Wheels::default(); ROBOTS]; 2];
-        for (team, side) in teams.iter_mut().zip(sides) {
-            wheels[side.index()] = team.play(&game.view(side));
+        for ((team, side), watch) in teams.iter_mut().zip(sides).zip(watches) {
+            wheels[side.index()] = team.play_watched(&game.view(side), watch);
+        }
+        if let Some(Driven { team, robot, wheels: told }) = *driven {
+            wheels[sides[index(team)].index()][robot] = told;
         }
         game.step(&wheels);
         for ((colour, team), counts) in [Colour::Blue, Colour::Yellow].into_iter().zip(teams).zip(counts) {
@@ -247,6 +307,7 @@ impl State {
                 }
             }
         }
+        seen
     }
 
     /// About how many bytes a copy takes.

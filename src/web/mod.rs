@@ -1,10 +1,12 @@
 //! The wasm face: each method converts and calls, nothing more.
 //!
-//! Configuration, queries and answers cross as JSON text, errors as `Error` with the core's message. There are four
+//! Configuration, queries and answers cross as JSON text, errors as `Error` with the core's message. There are five
 //! faces, each a wasm file of its own, so that the page loads all but the worlds only when they are opened.
 
 #[cfg(feature = "sequence")]
 mod sequence;
+#[cfg(feature = "soccer-page")]
+mod soccer;
 #[cfg(feature = "studies")]
 mod studies;
 #[cfg(feature = "trees")]
@@ -35,13 +37,13 @@ pub fn schema() -> String {
     crate::scenario::schema().to_string()
 }
 
-#[cfg(any(feature = "worlds", feature = "trees", feature = "studies", feature = "sequence"))]
+#[cfg(any(feature = "worlds", feature = "trees", feature = "studies", feature = "sequence", feature = "soccer-page"))]
 fn error(error: &impl ToString) -> JsError {
     JsError::new(&error.to_string())
 }
 
 /// An answer as JSON; serialising our own types cannot fail.
-#[cfg(any(feature = "worlds", feature = "trees", feature = "studies", feature = "sequence"))]
+#[cfg(any(feature = "worlds", feature = "trees", feature = "studies", feature = "sequence", feature = "soccer-page"))]
 fn answer(value: Option<impl serde::Serialize>) -> String {
     value.and_then(|value| serde_json::to_string(&value).ok()).unwrap_or_else(|| "null".to_owned())
 }

@@ -207,7 +207,7 @@ export const cases = [
     async (open) => {
       const { page, planned, verdict, until } = await openPlan(open);
       await planned();
-      await page.keyboard.press('3');
+      await page.keyboard.press('4');
       await until(() => location.hash.startsWith('#/trees'));
       const resting = await verdict();
       assert.match(resting, /^The search rests\. /);

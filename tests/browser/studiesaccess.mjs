@@ -122,7 +122,7 @@ export const cases = [
     async (open) => {
       const { page, inState, until } = await open();
       await inState('paused');
-      await page.keyboard.press('4');
+      await page.keyboard.press('5');
       await page.locator('.study-row').first().waitFor();
       assert.equal(await page.title(), 'Studies · Swarm playground');
       await page.evaluate((hash) => void (location.hash = hash), linkTo({ scenario: { ...SPEC.scenario, steps: 6000 } }));

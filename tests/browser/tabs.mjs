@@ -71,7 +71,7 @@ export const cases = [
         return rows.join('\n');
       };
       assert.match(await keys(), /restart with a new seed/);
-      await page.keyboard.press('3');
+      await page.keyboard.press('4');
       await until(() => location.hash.startsWith('#/trees?v='));
       const shown = await keys();
       assert.doesNotMatch(shown, /new seed|codon/);

@@ -6,8 +6,8 @@ import { messageOf } from '../session.js';
 import { button } from '../ui/dom.js';
 import { sequenceText } from '../ui/strings.sequence.en.js';
 import { text } from '../ui/strings.en.js';
+import { createScenarioFiles } from '../views/scenariofiles.js';
 import { createSequenceControls } from '../views/sequence/controls.js';
-import { createSequenceFiles } from '../views/sequence/files.js';
 import { createSequenceFoot } from '../views/sequence/foot.js';
 import { createGameTab } from '../views/sequence/gametab.js';
 import { createHandles } from '../views/sequence/handles.js';
@@ -81,7 +81,7 @@ export function createBoard({ element, frame, state, planner, playback, session,
   });
   const ribbon = createRibbon({ planner, playback, session, announce });
   const legend = createSequenceLegend({ layers, changed: redraw });
-  const files = createSequenceFiles({ element, session, say });
+  const files = createScenarioFiles({ element, id: 'sequence-file', open: session.openFile, say });
   createSequenceControls({ pane: frame.controls, session, open: files.choose });
   const plan = createPlanTab({ planner, session, fan, kind: () => kindOf(planner) });
   const search = createSearchTab({ planner, theme, onTheme: themes.on });

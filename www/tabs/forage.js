@@ -16,6 +16,7 @@ import { createInspector } from '../views/inspector.js';
 import { createLegend } from '../views/legend.js';
 import { createTransport } from '../views/transport.js';
 import { createWorldView } from '../views/world.js';
+import { createOpening } from './opening.js';
 
 /** @import { Address, Tab } from '../router.js' */
 /** @import { Compare } from '../ab/compare.js' */
@@ -67,28 +68,18 @@ export function createForage({ address, built, live, themes, openTree }) {
   const actions = {};
   /** @type {Session | null} */
   let session = null;
-  /** @type {Promise<void> | null} */
-  let started = null;
 
   pane.setAttribute('aria-label', text.world.region);
   onStorageBlocked(() => notices.say(text.notSaved));
 
   /** @param {string} hash */
-  async function start(hash) {
-    if (typeof WebAssembly !== 'object') {
-      broke(text.fault.noWasm);
-      return;
-    }
-    try {
-      engine.start();
-      const hello = await engine.request('hello');
-      session = createSession({ engine, run, state, address, beside, schema: hello.schema, version: hello.version, presets: readPresets(), say: notices.say });
-      build(session);
-      const mayMove = await session.open(hash);
-      if (mayMove && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
-    } catch (error) {
-      if (state.name !== 'error') broke(messageOf(error)); // an engine that broke has said so itself
-    }
+  async function begin(hash) {
+    engine.start();
+    const hello = await engine.request('hello');
+    session = createSession({ engine, run, state, address, beside, schema: hello.schema, version: hello.version, presets: readPresets(), say: notices.say });
+    build(session);
+    const mayMove = await session.open(hash);
+    if (mayMove && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
   }
 
   /** Puts the tab together. @param {Session} ready */
@@ -214,21 +205,13 @@ export function createForage({ address, built, live, themes, openTree }) {
     actions,
     regions: [pane, transportPane],
     pause: run.pause,
-    async open(hash) {
-      if (!started) {
-        started = start(hash);
-        return started;
-      }
-      await started;
-      notices.clear();
-      await session?.open(hash);
-    },
+    open: createOpening({ state, broke, begin, again: async (hash) => (notices.clear(), session?.open(hash)) }),
   };
 }
 
 /** Presets are files, read alike by the page, the command line and the tests; those of other worlds are left out. @returns {Preset[]} the opening one first */
 function readPresets() {
-  const files = /** @type {Record<string, string>} */ (import.meta.glob(['/scenarios/*.json', '!/scenarios/{navigation,coverage,plan-*,match}.json'], { query: '?raw', import: 'default', eager: true }));
+  const files = /** @type {Record<string, string>} */ (import.meta.glob(['/scenarios/*.json', '!/scenarios/{navigation,coverage,plan-*,match*}.json'], { query: '?raw', import: 'default', eager: true }));
   return Object.entries(files)
     .map(([path, json]) => {
       const name = path.replace(/^.*\/|\.json$/g, '');

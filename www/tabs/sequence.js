@@ -1,6 +1,5 @@
 import '../style/sequence.css';
 import { createEngine } from '../engine.js';
-import { messageOf } from '../session.js';
 import { createPlanner } from '../sequence/planner.js';
 import { createPlayback } from '../sequence/playback.js';
 import { createBoard } from '../sequence/board.js';
@@ -9,9 +8,9 @@ import { createSequenceSession } from '../sequence/session.js';
 import { createState } from '../state.js';
 import { createNotices } from '../ui/notices.js';
 import { sequenceText } from '../ui/strings.sequence.en.js';
-import { text } from '../ui/strings.en.js';
 import { createFault } from '../views/fault.js';
 import { createSequenceFrame } from '../views/sequence/frame.js';
+import { createOpening } from './opening.js';
 
 /** @import { Address, Tab } from '../router.js' */
 /** @import { Board } from '../sequence/board.js' */
@@ -41,27 +40,17 @@ export function createSequence({ element, address, built, live, themes }) {
   let session = null;
   /** @type {Board | null} */
   let board = null;
-  /** @type {Promise<void> | null} */
-  let started = null;
 
   /** @param {string} hash */
-  async function start(hash) {
-    if (typeof WebAssembly !== 'object') {
-      broke(text.fault.noWasm);
-      return;
-    }
-    try {
-      engine.start();
-      const { version, schema } = await engine.request('hello');
-      session = createSequenceSession({ engine, planner, playback, address, schema, version, presets: readPresets(), say: notices.say });
-      board = createBoard({ element, frame, state, planner, playback, session, themes, spawn, broke, say: notices.say, announce: notices.announce });
-      Object.assign(actions, board.actions);
-      built();
-      await session.openLink(hash);
-      board.begin();
-    } catch (error) {
-      if (state.name !== 'error') broke(messageOf(error)); // an engine that broke has said so itself
-    }
+  async function begin(hash) {
+    engine.start();
+    const { version, schema } = await engine.request('hello');
+    session = createSequenceSession({ engine, planner, playback, address, schema, version, presets: readPresets(), say: notices.say });
+    board = createBoard({ element, frame, state, planner, playback, session, themes, spawn, broke, say: notices.say, announce: notices.announce });
+    Object.assign(actions, board.actions);
+    built();
+    await session.openLink(hash);
+    board.begin();
   }
 
   /** The engine failed: its worker is ended; a new one plans for the same scenario. @param {string} message */
@@ -108,14 +97,6 @@ export function createSequence({ element, address, built, live, themes }) {
       planner.hold();
       board?.pause();
     },
-    async open(hash) {
-      if (!started) {
-        started = start(hash);
-        return started;
-      }
-      await started;
-      notices.clear();
-      await session?.openLink(hash);
-    },
+    open: createOpening({ state, broke, begin, again: async (hash) => (notices.clear(), session?.openLink(hash)) }),
   };
 }

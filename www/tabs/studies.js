@@ -1,6 +1,5 @@
 import '../style/studies.css';
 import { createEngine } from '../engine.js';
-import { messageOf } from '../session.js';
 import { createState } from '../state.js';
 import { createCommitted } from '../studies/committed.js';
 import { readPresets, readStudies } from '../studies/library.js';
@@ -9,7 +8,6 @@ import { createStudySession } from '../studies/session.js';
 import { createSpeed } from '../studies/speed.js';
 import { createStore, keyOf } from '../studies/store.js';
 import { createNotices } from '../ui/notices.js';
-import { text } from '../ui/strings.en.js';
 import { studiesText } from '../ui/strings.studies.en.js';
 import { createFault } from '../views/fault.js';
 import { createStudyBar } from '../views/studies/bar.js';
@@ -19,6 +17,7 @@ import { createStudiesFrame } from '../views/studies/frame.js';
 import { createStudyList } from '../views/studies/list.js';
 import { createStudyResults } from '../views/studies/results.js';
 import { createStudyText } from '../views/studies/text.js';
+import { createOpening } from './opening.js';
 
 /** @import { Address, Tab } from '../router.js' */
 /** @import { StudySession } from '../studies/session.js' */
@@ -55,27 +54,17 @@ export function createStudies({ element, address, built, live }) {
   const actions = {};
   /** @type {StudySession | null} */
   let session = null;
-  /** @type {Promise<void> | null} */
-  let started = null;
   let announced = 0;
 
   frame.show(true);
 
   /** @param {string} hash */
-  async function start(hash) {
-    if (typeof WebAssembly !== 'object') {
-      broke(text.fault.noWasm);
-      return;
-    }
-    try {
-      desk.start();
-      const { version, schema, metrics } = await desk.request('hello', { presets });
-      session = createStudySession({ desk, run, address, files: readStudies(), version, schema, metrics, say: notices.say });
-      build(session);
-      await session.openLink(hash);
-    } catch (error) {
-      if (state.name !== 'error') broke(messageOf(error)); // an engine that broke has said so itself
-    }
+  async function begin(hash) {
+    desk.start();
+    const { version, schema, metrics } = await desk.request('hello', { presets });
+    session = createStudySession({ desk, run, address, files: readStudies(), version, schema, metrics, say: notices.say });
+    build(session);
+    await session.openLink(hash);
   }
 
   /** Puts the tab together. @param {StudySession} ready */
@@ -154,14 +143,6 @@ export function createStudies({ element, address, built, live }) {
     regions: [frame.results, frame.bar],
     // Workers go on while the browser shows another page; another tab of this page gets the processor.
     pause: () => void (document.hidden || run.pause()),
-    async open(hash) {
-      if (!started) {
-        started = start(hash);
-        return started;
-      }
-      await started;
-      notices.clear();
-      await session?.openLink(hash);
-    },
+    open: createOpening({ state, broke, begin, again: async (hash) => (notices.clear(), session?.openLink(hash)) }),
   };
 }

@@ -1,13 +1,12 @@
 import '../style/trees.css';
 import { createEngine } from '../engine.js';
-import { messageOf } from '../session.js';
 import { createState } from '../state.js';
 import { createTreeRun } from '../trees/run.js';
 import { createWorkbench } from '../trees/workbench.js';
 import { createNotices } from '../ui/notices.js';
-import { text } from '../ui/strings.en.js';
 import { createFault } from '../views/fault.js';
 import { createBenchFrame } from '../views/trees/frame.js';
+import { createOpening } from './opening.js';
 
 /** @import { Address, Tab } from '../router.js' */
 /** @import { Workbench } from '../trees/workbench.js' */
@@ -17,10 +16,11 @@ const FIELDS = 'input:not([type=range]):not([type=checkbox]):not([type=radio]), 
 /**
  * The tab Trees: a workbench for behaviour trees.
  *
- * @param {{ element: HTMLElement, address: Address, built: () => void, live: HTMLElement }} parts
+ * @param {{ element: HTMLElement, address: Address, built: () => void, live: HTMLElement, playCoach: (xml: string) => Promise<void> }} parts
+ *   `playCoach` lets a tree coach a team in the tab Soccer
  * @returns {Tab & { openTree: (xml: string, title: string) => void }}
  */
-export function createTrees({ element, address, built, live }) {
+export function createTrees({ element, address, built, live, playCoach }) {
   const frame = createBenchFrame(element);
   const state = createState(element);
   const notices = createNotices(frame.drawing, live);
@@ -32,26 +32,16 @@ export function createTrees({ element, address, built, live }) {
   const regions = [frame.drawing, frame.transport];
   /** @type {Workbench | null} */
   let workbench = null;
-  /** @type {Promise<void> | null} */
-  let started = null;
 
   /** @param {string} hash */
-  async function start(hash) {
-    if (typeof WebAssembly !== 'object') {
-      broke(text.fault.noWasm);
-      return;
-    }
-    try {
-      engine.start();
-      const { version, models } = await engine.request('hello');
-      workbench = createWorkbench({ engine, run, state, address, frame, version, models, say: notices.say, announce: notices.announce });
-      Object.assign(actions, workbench.actions);
-      regions.push(workbench.afterText);
-      built();
-      await workbench.session.openLink(hash);
-    } catch (error) {
-      if (state.name !== 'error') broke(messageOf(error)); // an engine that broke has said so itself
-    }
+  async function begin(hash) {
+    engine.start();
+    const { version, models } = await engine.request('hello');
+    workbench = createWorkbench({ engine, run, state, address, frame, version, models, playCoach, say: notices.say, announce: notices.announce });
+    Object.assign(actions, workbench.actions);
+    regions.push(workbench.afterText);
+    built();
+    await workbench.session.openLink(hash);
   }
 
   /** The engine failed: its worker is ended; a new one takes the setup to the tick it had reached. @param {string} message */
@@ -84,15 +74,7 @@ export function createTrees({ element, address, built, live }) {
     actions,
     regions,
     pause: run.pause,
-    async open(hash) {
-      if (!started) {
-        started = start(hash);
-        return started;
-      }
-      await started;
-      notices.clear();
-      await workbench?.session.openLink(hash);
-    },
+    open: createOpening({ state, broke, begin, again: async (hash) => (notices.clear(), workbench?.session.openLink(hash)) }),
     openTree: (xml, title) => void workbench?.session.openText(xml, title),
   };
 }

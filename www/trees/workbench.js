@@ -22,13 +22,16 @@ import { setupState } from './setup.js';
 /** @import { TreeRun } from './run.js' */
 /** @import { NodeModel, Problem } from './types.js' */
 
+/** What only trees that coach a soccer team have. */
+const COACH = /<AssignStartRoles\b|ID="AssignStartRoles"/;
+
 /**
  * Puts the tab together: session, editor, drawing and all panes, and who tells whom.
  *
- * @param {{ engine: Engine, run: TreeRun, state: State, address: Address, frame: BenchFrame, version: string, models: NodeModel[],
+ * @param {{ engine: Engine, run: TreeRun, state: State, address: Address, frame: BenchFrame, version: string, models: NodeModel[], playCoach: (xml: string) => Promise<void>,
  *   say: (message: string, kind?: 'note' | 'problem') => void, announce: (message: string) => void }} parts
  */
-export function createWorkbench({ engine, run, state, address, frame, version, models, say, announce }) {
+export function createWorkbench({ engine, run, state, address, frame, version, models, playCoach, say, announce }) {
   const editor = createEditor({ state: setupState, edited: (update) => session.edited(update), pointed, leave: () => problems.focus() });
   const session = createTreeSession({ run, address, version, library: readLibrary(), view: editor.view, say });
   const compareView = createCompare({ label: benchText.compare.label });
@@ -70,7 +73,7 @@ export function createWorkbench({ engine, run, state, address, frame, version, m
     goTo: editor.goTo,
   });
   const transport = createBenchTransport({ pane: frame.transport, run, state, restart: bench.restart, change: session.change, complete: bench.pauseAtCompletion });
-  const foot = createBenchFoot({ pane: frame.foot, run, session, format, picture, title, say });
+  const foot = createBenchFoot({ pane: frame.foot, run, session, format, picture, title, playCoach, say });
 
   frame.stage.prepend(figure.element, compareView.element);
   frame.timeline.append(timeline.element);
@@ -145,7 +148,7 @@ export function createWorkbench({ engine, run, state, address, frame, version, m
       fault: bench.comparing() ? '' : bench.fault(),
     });
     transport.show(session.rest());
-    foot.show();
+    foot.show(run.tree !== null && COACH.test(session.running().xml));
     inspector.show();
   }
 

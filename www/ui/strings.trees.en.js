@@ -212,6 +212,8 @@ export const benchText = {
 
   foot: {
     take: 'Take away',
+    coach: 'Play as coach',
+    coachLong: 'Let this tree coach the blue team in the tab Soccer',
     copied: 'The link is on the clipboard. It holds the tree, its script, the tick and the fingerprint.',
     tooLong: (/** @type {number} */ length) => `The link would have ${length} characters, too many for some programs. Save the setup as a file instead.`,
     xml: 'The tree as canonical XML with models of its own nodes, for BehaviorTree.CPP and Groot2',

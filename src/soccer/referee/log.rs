@@ -231,6 +231,17 @@ impl Entry {
         text
     }
 
+    /// Why, without when and what, as a part of a sentence.
+    ///
+    /// - `names`: of the left and the right team.
+    #[must_use]
+    pub fn reason(&self, names: [&str; 2]) -> String {
+        let mut text = String::new();
+        // Writing into a string does not fail.
+        let _ = self.rule.write(&mut text, names);
+        text
+    }
+
     fn write(&self, out: &mut String, names: [&str; 2]) -> fmt::Result {
         let (minutes, seconds) = ((self.seconds / 60.0) as u32, self.seconds % 60.0);
         write!(out, "{}, {minutes}:{seconds:04.1}: {}", self.phase.name(), self.command.name())?;

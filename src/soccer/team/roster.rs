@@ -49,6 +49,22 @@ pub enum EventKind {
     Fault(String),
 }
 
+impl EventKind {
+    /// What kind it is, in a word.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Start { .. } => "start",
+            Self::Swap(_) => "swap",
+            Self::ChangeGroup(_) => "group",
+            Self::Become { .. } => "become",
+            Self::Written(_) => "written",
+            Self::Refused(_) => "refused",
+            Self::Fault(_) => "fault",
+        }
+    }
+}
+
 impl fmt::Display for EventKind {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

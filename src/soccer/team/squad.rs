@@ -6,7 +6,7 @@ use super::duties::{Duties, Formation, Role};
 use super::geometry::{FRAMES_PER_SECOND, distance};
 use super::kind::{Coached, TeamKind};
 use super::margins::{Margins, MarginsError};
-use super::organisation::Checker;
+use super::organisation::{Checker, Violation};
 use super::roles::{Player, Roles, Scene};
 use super::roster::{Event, Roster};
 use super::start;
@@ -198,6 +198,19 @@ impl Team {
         self.first_striker
     }
 
+    /// The edges that leave the machine's present state, by their place in its table, in the order in which they are
+    /// tried, and whether each guard opens; empty for teams without a machine.
+    #[must_use]
+    pub fn guards(&self, view: &View) -> Vec<(usize, bool)> {
+        self.machine().map_or_else(Vec::new, |machine| machine.guards(view, &self.roster, &self.margins))
+    }
+
+    /// The last change that broke the organisation and was refused.
+    #[must_use]
+    pub fn refused(&self) -> Option<&Violation> {
+        self.roster.refused()
+    }
+
     /// Changes that broke the organisation and were refused, since the start of the match.
     #[must_use]
     pub fn violations(&self) -> u32 {
@@ -219,7 +232,12 @@ impl Team {
     ///
     /// - `view`: the robots and the ball as they are when the referee calls, before they are placed.
     pub fn called(&mut self, view: &View) -> Lineup {
-        self.begin(view, &mut Silent);
+        self.called_watched(view, &mut Silent)
+    }
+
+    /// As [`Team::called`], with a recorder that sees what the nodes of the coach tree return.
+    pub fn called_watched<R: Recorder>(&mut self, view: &View, recorder: &mut R) -> Lineup {
+        self.begin(view, recorder);
         let roles = self.roster.duties().roles;
         let own_place = |role: Role| match role {
             Role::PenaltyKicker => Some(self.penalty_spot()),
@@ -235,7 +253,7 @@ impl Team {
 
     /// The wheel speeds of a frame of play.
     pub fn play(&mut self, view: &View) -> [Wheels; ROBOTS] {
-        self.play_watched(view, &mut Watch { coach: Silent, roles: [Silent; ROBOTS] })
+        self.play_watched(view, &mut Watch::<Silent>::default())
     }
 
     /// As [`Team::play`], with recorders that see what the nodes of the trees return.

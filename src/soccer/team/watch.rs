@@ -8,6 +8,8 @@ use crate::soccer::view::ROBOTS;
 pub struct Watch<R> {
     /// The coach tree; sees nothing of other coaches.
     pub coach: R,
+    /// The coach tree while it answers a call, which happens before the frame it plays next.
+    pub call: R,
     /// The tree of each robot's role.
     pub roles: [R; ROBOTS],
 }
@@ -37,6 +39,7 @@ impl Watch<Statuses> {
     /// Forgets the last frame; to be called before the next one.
     pub fn clear(&mut self) {
         self.coach.0.clear();
+        self.call.0.clear();
         self.roles.iter_mut().for_each(|statuses| statuses.0.clear());
     }
 }

@@ -14,16 +14,18 @@ const PICTURE_SCALE = 2;
  *
  * @param {{ pane: HTMLElement, run: TreeRun, session: TreeSession, format: (xml: string) => Promise<string>,
  *   picture: () => { svg: string, width: number, height: number } | null, title: () => string,
- *   say: (message: string, kind?: 'note' | 'problem', offers?: { label: string, press: () => void }[]) => void }} parts
+ *   playCoach: (xml: string) => Promise<void>, say: (message: string, kind?: 'note' | 'problem', offers?: { label: string, press: () => void }[]) => void }} parts
  *   `format` gives canonical XML or rejects with the first fault, `picture` is null while there is none
  */
-export function createBenchFoot({ pane, run, session, format, picture, title, say }) {
+export function createBenchFoot({ pane, run, session, format, picture, title, playCoach, say }) {
   const fingerprint = h('output', { class: 'fingerprint', id: 'trees-fingerprint', title: text.foot.fingerprint, 'aria-label': text.foot.fingerprint });
+  const coach = button(benchText.foot.coach, () => void playCoach(session.running().xml), { title: benchText.foot.coachLong });
   pane.append(
     h('p', { class: 'facts' }, h('span', {}, session.version), fingerprint),
     h(
       'div',
       { class: 'take', role: 'group', 'aria-label': benchText.foot.take },
+      coach,
       button(text.foot.copyLink, () => void copyLink()),
       button('XML', () => void xml(), { title: benchText.foot.xml }),
       button('SVG', svg, { title: benchText.foot.svg }),
@@ -91,7 +93,9 @@ export function createBenchFoot({ pane, run, session, format, picture, title, sa
   }
 
   return {
-    show() {
+    /** @param {boolean} coaches whether the tree can coach a soccer team */
+    show(coaches) {
+      coach.hidden = !coaches;
       write(fingerprint, run.moment?.fingerprint ?? '');
       fingerprint.dataset.tick = String(run.tick);
     },

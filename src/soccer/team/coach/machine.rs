@@ -225,12 +225,24 @@ impl Machine {
         }
     }
 
+    /// Whether an edge leaves the present state of this machine.
+    fn leaves(&self, edge: Transition) -> bool {
+        edge.from == self.state && (self.swaps || edge.to.is_input())
+    }
+
+    /// The edges that leave the present state, as indices into [`TRANSITIONS`] in the order in which they are tried, and
+    /// whether each guard opens.
+    #[must_use]
+    pub fn guards(&self, view: &View, roster: &Roster, margins: &Margins) -> Vec<(usize, bool)> {
+        let scene = roster.scene(view, margins);
+        let edges = TRANSITIONS.iter().enumerate().filter(|(_, edge)| self.leaves(**edge));
+        edges.map(|(index, edge)| (index, edge.guard.opens(&scene, roster))).collect()
+    }
+
     /// Makes at most one transition.
     pub fn step(&mut self, view: &View, roster: &mut Roster, margins: &Margins) {
         let scene = roster.scene(view, margins);
-        let found = TRANSITIONS.iter().position(|edge| {
-            edge.from == self.state && (self.swaps || edge.to.is_input()) && edge.guard.opens(&scene, roster)
-        });
+        let found = TRANSITIONS.iter().position(|edge| self.leaves(*edge) && edge.guard.opens(&scene, roster));
         let Some(index) = found else { return };
         let edge = TRANSITIONS[index];
         let done = match edge.function {

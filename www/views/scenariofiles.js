@@ -1,17 +1,16 @@
-import { h } from '../../ui/dom.js';
-import { filesText } from '../../ui/strings.files.en.js';
-
-/** @import { SequenceSession } from '../../sequence/session.js' */
+import { h } from '../ui/dom.js';
+import { filesText } from '../ui/strings.files.en.js';
 
 const LARGEST = 10_000_000;
 
 /**
- * Scenarios and plans as files: chosen, or dropped on the page.
+ * Scenarios and what else a tab keeps in files: chosen, or dropped on the page.
  *
- * @param {{ element: HTMLElement, session: SequenceSession, say: (message: string, kind?: 'note' | 'problem') => void }} parts `element` is the tab
+ * @param {{ element: HTMLElement, id: string, open: (name: string, json: string) => Promise<void>, say: (message: string, kind?: 'note' | 'problem') => void }} parts
+ *   `element` is the tab, `id` the field's
  */
-export function createSequenceFiles({ element, session, say }) {
-  const input = h('input', { type: 'file', accept: '.json,application/json', hidden: true, id: 'sequence-file', tabindex: -1 });
+export function createScenarioFiles({ element, id, open, say }) {
+  const input = h('input', { type: 'file', accept: '.json,application/json', hidden: true, id, tabindex: -1 });
   element.append(input);
   input.addEventListener('change', () => {
     const file = input.files?.[0];
@@ -32,7 +31,7 @@ export function createSequenceFiles({ element, session, say }) {
   /** @param {File} file */
   async function read(file) {
     if (file.size > LARGEST) say(filesText.tooLarge(file.name, file.size), 'problem');
-    else await session.openFile(file.name, await file.text());
+    else await open(file.name, await file.text());
   }
 
   return { choose: () => input.click() };

@@ -1,7 +1,7 @@
 import { EngineError } from './engine.js';
 import { createRouter } from './router.js';
 import { createForage } from './tabs/forage.js';
-import { button, find, h } from './ui/dom.js';
+import { button, find, h, write } from './ui/dom.js';
 import { createKeys } from './ui/keys.js';
 import { text } from './ui/strings.en.js';
 import { createThemeSwitch } from './ui/theme.js';
@@ -57,7 +57,15 @@ document.addEventListener('visibilitychange', () => {
 window.addEventListener('unhandledrejection', (event) => {
   if (event.reason instanceof EngineError && event.reason.fatal) event.preventDefault(); // told by the tab whose engine it is
 });
-void router.arrive(location.hash);
+const embedded = /[?&]embed=1(&|$)/.test(location.hash); // as it was opened: the address changes with the run
+void router.arrive(location.hash).then(keep);
+
+/** Keeps the page for visits without the network, once it stands; an embedded page keeps nothing. */
+async function keep() {
+  if (!import.meta.env.PROD || embedded) return;
+  const { keepOffline } = await import('./offline/keep.js');
+  await keepOffline({ head: find('#top'), announce: (message) => write(live, message) });
+}
 
 /** Shows a tree in the workbench. @param {string} xml @param {string} title what it is, for people */
 async function openTree(xml, title) {

@@ -14,6 +14,9 @@ export function findChromium() {
   return places.find((place) => existsSync(place)) ?? null;
 }
 
+/** Also makes sure that the page works where there are none. */
+const WITHOUT_SERVICE_WORKERS = () => Object.defineProperty(Navigator.prototype, 'serviceWorker', { value: undefined });
+
 /** Starts a browser with a user-data directory of its own. @param {string} executablePath */
 export const launch = (executablePath) => chromium.launch({ executablePath, args: FLAGS });
 
@@ -23,11 +26,13 @@ export const launch = (executablePath) => chromium.launch({ executablePath, args
  * @param {import('playwright-core').Browser} browser
  * @param {string} url
  * @param {string} [hash]
- * @param {import('playwright-core').BrowserContextOptions} [options] motion is reduced unless asked for, so nothing moves by itself
+ * @param {import('playwright-core').BrowserContextOptions} [options] motion is reduced unless asked for, so nothing moves by itself;
+ *   without `serviceWorkers: 'allow'` the page keeps nothing for later visits
  */
 export async function openPage(browser, url, hash = '', options = {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce', ...options });
   context.setDefaultTimeout(PATIENCE_MS);
+  if (options.serviceWorkers !== 'allow') await context.addInitScript(WITHOUT_SERVICE_WORKERS);
   const page = await context.newPage();
   const problems = [];
   page.on('console', (message) => {

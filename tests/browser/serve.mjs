@@ -20,7 +20,7 @@ const TYPES = {
 export function serve(folder, prefix) {
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
-    const inside = normalize(decodeURIComponent(pathname.slice(prefix.length)) || 'index.html');
+    const inside = normalize(decodeURIComponent(pathname.slice(prefix.length)).replace(/(^|\/)$/, '$1index.html'));
     const file = join(folder, inside);
     if (!pathname.startsWith(prefix) || inside.startsWith('..') || !existsSync(file) || !statSync(file).isFile()) {
       response.writeHead(404).end();

@@ -1,18 +1,13 @@
 // Starts Chromium and wraps a page in the few words the tests speak.
-import { existsSync } from 'node:fs';
-import { delimiter, join } from 'node:path';
 import { chromium } from 'playwright-core';
+import { onPath } from './system.mjs';
 
 const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
 const PATIENCE_MS = 60_000; // a busy machine may stand still for half a minute
 
 /** Chromium from the variable CHROMIUM or the PATH; null when there is none. */
-export function findChromium() {
-  if (process.env.CHROMIUM) return process.env.CHROMIUM;
-  const places = (process.env.PATH ?? '').split(delimiter).flatMap((folder) => NAMES.map((name) => join(folder, name)));
-  return places.find((place) => existsSync(place)) ?? null;
-}
+export const findChromium = () => process.env.CHROMIUM || onPath(NAMES);
 
 /** Also makes sure that the page works where there are none. */
 const WITHOUT_SERVICE_WORKERS = () => Object.defineProperty(Navigator.prototype, 'serviceWorker', { value: undefined });

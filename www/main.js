@@ -1,3 +1,4 @@
+import './ui/language.js';
 import { EngineError } from './engine.js';
 import { createRouter } from './router.js';
 import { createForage } from './tabs/forage.js';
@@ -46,6 +47,13 @@ const router = createRouter({
       element: find('#studies'),
       deep: true,
       load: async (parts) => (await import('./tabs/studies.js')).createStudies({ ...parts, element: find('#studies'), live }),
+    },
+    {
+      name: 'bench',
+      label: text.tabs.bench,
+      element: find('#bench'),
+      aside: true,
+      load: async (parts) => (await import('./tabs/measure.js')).createMeasure({ ...parts, element: find('#bench'), live }),
     },
   ],
 });

@@ -1,3 +1,4 @@
+import { benchLink } from '../ui/benchlink.js';
 import { button, h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { copy, save } from '../ui/share.js';
@@ -28,7 +29,7 @@ export function createFoot({ pane, run, lens, state, session, theme, open, treeS
   const fps = h('output', { id: 'fps', 'aria-label': text.foot.fps });
   const pace = h('output', { id: 'ms', 'aria-label': text.foot.ms });
   pane.append(
-    h('p', { class: 'facts' }, h('span', { id: 'version' }, session.version), fingerprint, fps, pace),
+    h('p', { class: 'facts' }, h('span', { id: 'version' }, session.version), fingerprint, fps, pace, benchLink()),
     h(
       'div',
       { class: 'take', role: 'group', 'aria-label': text.foot.take },

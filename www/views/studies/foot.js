@@ -1,3 +1,4 @@
+import { benchLink } from '../../ui/benchlink.js';
 import { button, h } from '../../ui/dom.js';
 import { copy, save } from '../../ui/share.js';
 import { text as page } from '../../ui/strings.en.js';
@@ -80,7 +81,7 @@ export function createStudyFoot({ pane, run, session, shown, say }) {
 
   function show() {
     const { plan } = run;
-    facts.replaceChildren(...(plan ? [h('span', {}, session.version), h('span', { class: 'hash' }, plan.hash)] : []));
+    facts.replaceChildren(...(plan ? [h('span', {}, session.version), h('span', { class: 'hash' }, plan.hash)] : []), benchLink());
     clear.disabled = run.done() === 0;
   }
 

@@ -1,3 +1,4 @@
+import { benchLink } from '../../ui/benchlink.js';
 import { button, h, write } from '../../ui/dom.js';
 import { copy, save } from '../../ui/share.js';
 import { text } from '../../ui/strings.en.js';
@@ -20,7 +21,7 @@ const PICTURE_SCALE = 2;
 export function createBenchFoot({ pane, run, session, format, picture, title, say }) {
   const fingerprint = h('output', { class: 'fingerprint', id: 'trees-fingerprint', title: text.foot.fingerprint, 'aria-label': text.foot.fingerprint });
   pane.append(
-    h('p', { class: 'facts' }, h('span', {}, session.version), fingerprint),
+    h('p', { class: 'facts' }, h('span', {}, session.version), fingerprint, benchLink()),
     h(
       'div',
       { class: 'take', role: 'group', 'aria-label': benchText.foot.take },

@@ -36,6 +36,7 @@ export function createFoot({ pane, run, lens, state, session, theme, open, treeS
       button(text.foot.copyLink, () => void copyLink(), { action: 'copy-link' }),
       button('PNG', png, { title: text.foot.png }),
       button(text.foot.worldSvg, worldSvg, { title: text.foot.worldSvgLong }),
+      button(text.foot.video, () => void video(), { title: text.foot.videoLong }),
       button(text.foot.treeSvg, tree, { title: text.foot.treeSvgLong }),
       button('CSV', () => void csv().catch(() => {}), { title: text.foot.csv }),
       button('JSON', json, { title: text.foot.json }),
@@ -89,6 +90,19 @@ export function createFoot({ pane, run, lens, state, session, theme, open, treeS
     context.fillStyle = theme().ground;
     context.fillRect(0, 0, view.size, view.size);
     canvas.toBlob((blob) => blob && save(`${stem()}.png`, blob));
+  }
+
+  async function video() {
+    if (!world().ready()) return;
+    const { layers } = world().view;
+    const { scenario, tick } = lens.run;
+    const parts = { scenario, tick, layers: { ...layers }, theme: theme(), steps: run.steps, stem: `swarm-${session.preset}-seed${scenario.seed}` };
+    const at = (/** @type {number} */ now) => text.foot.caption(session.preset, lens.side(), scenario.seed, now);
+    try {
+      (await import('./videodialog.js')).openVideo({ ...parts, caption: at, say });
+    } catch {
+      say(text.foot.videoMissing, 'problem');
+    }
   }
 
   function tree() {

@@ -1,0 +1,125 @@
+"""Prints, as Markdown, what Figure 2 of BeTr-GEESE costs on different numbers of cores, from times measured here.
+
+    python3 scripts/scaling.py [SEEDS]
+
+Makes SEEDS runs (1 unless said) of each of the 18 cells and takes their processor seconds, so that other work on the
+machine shows little; measures what the workflow adds to each shard; then plays through how shards and runs are handed out
+to the cores, as workflow/Snakefile and the command line do. Waiting in a cluster's queue and slower disks are not in it.
+"""
+
+import heapq
+import json
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+STUDIES = ("studies/figure-2a.json", "studies/figure-2b.json")
+CORES = (2, 64, 1000)
+PROGRAM = "target/release/swarm-playground"
+SNAKEMAKE = ".tools/workflow/bin/snakemake"
+MOST_THREADS = 16
+SHARDS_COMPARED = (2, 10)
+
+
+def main(seeds):
+    subprocess.run(["cargo", "build", "--release", "--locked", "--quiet"], check=True)
+    studies = [(json.loads(Path(path).read_text()), measured(path, seeds)) for path in STUDIES]
+    overhead = shard_overhead()
+    shards = [shard for study, cells in studies for shard in shards_of(cells, study["seeds"]["count"])]
+    runs = [seconds for shard in shards for seconds in shard]
+    version = subprocess.run([PROGRAM, "--version"], check=True, capture_output=True, text=True).stdout.split()[-1]
+    print(f"Version {version}, {model()}, {seeds} measured {'run' if seeds == 1 else 'runs'} of each cell.\n")
+    print("| study | cells | runs | processor seconds of a run: least, mean, most | core hours |")
+    print("|---|---:|---:|---|---:|")
+    for study, cells in studies:
+        every = [seconds for cell in cells for seconds in cell]
+        mean = sum(every) / len(every)
+        count = len(cells) * study["seeds"]["count"]
+        print(f"| {study['study']} | {len(cells)} | {count} | {min(every):.1f}, {mean:.1f}, {max(every):.1f} | {count * mean / 3600:.2f} |")
+    print(f"\nThe workflow adds {overhead:.2f} s to each shard on this machine.\n")
+    print("| cores | runs of a shard at once | shards at once | from start to merged file | of the cores' time used |")
+    print("|---:|---:|---:|---:|---:|")
+    for cores in CORES:
+        wall, threads = min((playthrough(shards, cores, threads, overhead), threads) for threads in range(1, MOST_THREADS + 1) if threads <= cores)
+        print(f"| {cores:,} | {threads} | {min(cores // threads, len(shards))} | {words(wall)} | {100 * sum(runs) / (cores * wall):.0f} % |")
+    bound = max(runs) + overhead
+    print(f"\n{len(runs):,} runs in {len(shards)} shards, {sum(runs) / 3600:.2f} core hours; no number of cores goes below the longest run, {words(bound)}.")
+
+
+def measured(path, seeds):
+    """Processor seconds of the runs of each cell."""
+    spec = json.loads(Path(path).read_text())
+    preset = f"scenarios/{spec['scenario']['preset']}.json"
+    cells = []
+    for cell in spec["cells"]:
+        words = [f"--set={key}={json.dumps(value)}" for key, value in cell.get("set", {}).items()]
+        cells.append([processor_seconds([PROGRAM, "run", preset, f"--seed={seed}", *words]) for seed in range(1, seeds + 1)])
+        print(f"{cell['name']}: {cells[-1]}", file=sys.stderr)
+    return cells
+
+
+def processor_seconds(command):
+    child = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+    _, status, usage = os.wait4(child.pid, 0)
+    if status != 0:
+        raise SystemExit(f"{' '.join(command)} failed")
+    return usage.ru_utime + usage.ru_stime
+
+
+def shard_overhead():
+    """Seconds that a shard takes besides its runs: two workflows of one study, with nothing to compute, in few and many shards."""
+    took = []
+    for shards in SHARDS_COMPARED:
+        with tempfile.TemporaryDirectory() as folder:
+            study = Path(folder) / "empty.json"
+            scenario = {"world": "geese", "agents": 2, "steps": 1}
+            study.write_text(json.dumps({"study": "empty", "scenario": scenario, "seeds": {"first": 1, "count": max(SHARDS_COMPARED)}, "metrics": ["share"]}))
+            words = [SNAKEMAKE, "--snakefile", "workflow/Snakefile", "--cores", "1", "--config", f"study={study}", f"program={PROGRAM}", f"out={folder}/out", f"shards={shards}"]
+            begun = time.monotonic()
+            subprocess.run(words, check=True, capture_output=True)
+            took.append(time.monotonic() - begun)
+    return max(0.0, (took[1] - took[0]) / (SHARDS_COMPARED[1] - SHARDS_COMPARED[0]))
+
+
+def shards_of(cells, seeds):
+    """The runs of every shard, one for each seed; seeds that were not measured take the times of those that were."""
+    return [[cell[seed % len(cell)] for cell in cells] for seed in range(seeds)]
+
+
+def playthrough(shards, cores, threads, overhead):
+    """Seconds until the last shard is done."""
+    return handed_out([overhead + handed_out(shard, threads) for shard in shards], cores // threads)
+
+
+def handed_out(durations, hands):
+    """Seconds until all is done, when whoever is free takes the next."""
+    free = [0.0] * hands
+    for duration in durations:
+        heapq.heapreplace(free, free[0] + duration)
+    return max(free)
+
+
+def words(seconds):
+    if seconds < 120:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.1f} h"
+
+
+def model():
+    """What the processor calls itself."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+        return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor() or platform.machine()
+
+
+if __name__ == "__main__":
+    if not shutil.which(SNAKEMAKE):
+        raise SystemExit("Snakemake is not installed: run make workflow-env")
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 1)

@@ -3,8 +3,9 @@
     python3 scripts/scaling.py [SEEDS]
 
 Makes SEEDS runs (1 unless said) of each of the 18 cells and takes their processor seconds, so that other work on the
-machine shows little; measures what the workflow adds to each shard; then plays through how shards and runs are handed out
-to the cores, as workflow/Snakefile and the command line do. Waiting in a cluster's queue and slower disks are not in it.
+machine shows little; measures how long the workflow takes to hand out a shard; then plays through how shards and runs are
+handed out to the cores, as workflow/Snakefile and the command line do, and prints the best numbers of shards and of runs at
+once. A cluster's queue and slower disks are not in it.
 """
 
 import heapq
@@ -22,7 +23,8 @@ STUDIES = ("studies/figure-2a.json", "studies/figure-2b.json")
 CORES = (2, 64, 1000)
 PROGRAM = "target/release/swarm-playground"
 SNAKEMAKE = ".tools/workflow/bin/snakemake"
-MOST_THREADS = 16
+THREADS = (1, 2, 3, 4, 6, 8, 9, 12, 16, 18, 32)
+SHARDS = (1, 2, 4, 8, 16, 32, 64)
 SHARDS_COMPARED = (2, 10)
 
 
@@ -30,8 +32,7 @@ def main(seeds):
     subprocess.run(["cargo", "build", "--release", "--locked", "--quiet"], check=True)
     studies = [(json.loads(Path(path).read_text()), measured(path, seeds)) for path in STUDIES]
     overhead = shard_overhead()
-    shards = [shard for study, cells in studies for shard in shards_of(cells, study["seeds"]["count"])]
-    runs = [seconds for shard in shards for seconds in shard]
+    runs = [seconds for study, cells in studies for shard in shards_of(cells, study["seeds"]["count"], 1) for seconds in shard]
     version = subprocess.run([PROGRAM, "--version"], check=True, capture_output=True, text=True).stdout.split()[-1]
     print(f"Version {version}, {model()}, {seeds} measured {'run' if seeds == 1 else 'runs'} of each cell.\n")
     print("| study | cells | runs | processor seconds of a run: least, mean, most | core hours |")
@@ -41,14 +42,14 @@ def main(seeds):
         mean = sum(every) / len(every)
         count = len(cells) * study["seeds"]["count"]
         print(f"| {study['study']} | {len(cells)} | {count} | {min(every):.1f}, {mean:.1f}, {max(every):.1f} | {count * mean / 3600:.2f} |")
-    print(f"\nThe workflow adds {overhead:.2f} s to each shard on this machine.\n")
-    print("| cores | runs of a shard at once | shards at once | from start to merged file | of the cores' time used |")
+    print(f"\nThe workflow takes {overhead:.2f} s to hand out a shard on this machine, one after the other.\n")
+    print("| cores | shards of a study | runs of a shard at once | time | of the cores' time used |")
     print("|---:|---:|---:|---:|---:|")
     for cores in CORES:
-        wall, threads = min((playthrough(shards, cores, threads, overhead), threads) for threads in range(1, MOST_THREADS + 1) if threads <= cores)
-        print(f"| {cores:,} | {threads} | {min(cores // threads, len(shards))} | {words(wall)} | {100 * sum(runs) / (cores * wall):.0f} % |")
-    bound = max(runs) + overhead
-    print(f"\n{len(runs):,} runs in {len(shards)} shards, {sum(runs) / 3600:.2f} core hours; no number of cores goes below the longest run, {words(bound)}.")
+        choices = ((count, threads) for count in SHARDS for threads in THREADS if threads <= cores)
+        wall, count, threads = min((playthrough(studies, cores, count, threads, overhead), count, threads) for count, threads in choices)
+        print(f"| {cores:,} | {count} | {threads} | {words(wall)} | {100 * sum(runs) / (cores * wall):.0f} % |")
+    print(f"\n{len(runs):,} runs, {sum(runs) / 3600:.2f} core hours; no number of cores goes below the longest run, {words(max(runs))}.")
 
 
 def measured(path, seeds):
@@ -72,7 +73,7 @@ def processor_seconds(command):
 
 
 def shard_overhead():
-    """Seconds that a shard takes besides its runs: two workflows of one study, with nothing to compute, in few and many shards."""
+    """Seconds to hand out a shard: two workflows of one study, with nothing to compute, in few and many shards."""
     took = []
     for shards in SHARDS_COMPARED:
         with tempfile.TemporaryDirectory() as folder:
@@ -86,21 +87,22 @@ def shard_overhead():
     return max(0.0, (took[1] - took[0]) / (SHARDS_COMPARED[1] - SHARDS_COMPARED[0]))
 
 
-def shards_of(cells, seeds):
-    """The runs of every shard, one for each seed; seeds that were not measured take the times of those that were."""
-    return [[cell[seed % len(cell)] for cell in cells] for seed in range(seeds)]
+def shards_of(cells, seeds, count):
+    """The runs of every shard; seeds that were not measured take the times of those that were."""
+    return [[cell[seed % len(cell)] for seed in range(part, seeds, count) for cell in cells] for part in range(count)]
 
 
-def playthrough(shards, cores, threads, overhead):
-    """Seconds until the last shard is done."""
-    return handed_out([overhead + handed_out(shard, threads) for shard in shards], cores // threads)
+def playthrough(studies, cores, count, threads, overhead):
+    """Seconds until the last shard is done: handing out is one process's work, the shards are the cores'."""
+    shards = [shard for study, cells in studies for shard in shards_of(cells, study["seeds"]["count"], count)]
+    return handed_out([handed_out(shard, threads) for shard in shards], cores // threads, overhead)
 
 
-def handed_out(durations, hands):
-    """Seconds until all is done, when whoever is free takes the next."""
+def handed_out(durations, hands, pause=0.0):
+    """Seconds until all is done, when whoever is free takes the next, and they are given out with a pause before each."""
     free = [0.0] * hands
-    for duration in durations:
-        heapq.heapreplace(free, free[0] + duration)
+    for number, duration in enumerate(durations, 1):
+        heapq.heapreplace(free, max(free[0], number * pause) + duration)
     return max(free)
 
 

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { violations } from './access.mjs';
 import { FIXED, FIXED_STEPS, FORAGING, PUBLISHED, STEPS, TICKS, TREE } from '../../www/measure/measures.js';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -42,6 +43,37 @@ export const cases = [
       assert.equal(lines.length - 2, cells.filter(([, here]) => here !== 'not in this version').length);
       assert.deepEqual(problems, []);
       return cells.map(([what, here]) => `${what.slice(0, 12)} ${here}`).join('; ');
+    },
+  ],
+  ...['light', 'dark'].map((colorScheme) => /** @type {import('./browser.mjs').Case} */ ([
+    `axe_finds_nothing_on_the_bench_page_and_in_the_film_dialog_in_${colorScheme}`,
+    async (open) => {
+      const { page, inState, at } = await open('#/bench', { colorScheme: /** @type {'light' | 'dark'} */ (colorScheme), viewport: { width: 390, height: 844 } });
+      await page.locator('#bench-short').check();
+      await page.locator('#bench-run').click();
+      await inState('busy');
+      await page.locator('.measure-table tbody td').filter({ hasText: 'robot-steps/s' }).first().waitFor();
+      await page.locator('#bench-run').click();
+      await inState('paused');
+      assert.deepEqual(await violations(page), [], 'bench');
+      await page.evaluate(() => void (location.hash = '#/forage'));
+      await at(0);
+      await page.locator('#foot').getByRole('button', { name: 'Video', exact: true }).click();
+      assert.deepEqual(await violations(page), [], 'film');
+    },
+  ])),
+  [
+    'neither_needs_sideways_scrolling_of_the_page_at_320_pixels',
+    async (open) => {
+      const { page, inState } = await open('#/bench', { viewport: { width: 320, height: 700 } });
+      const width = () => page.evaluate(() => document.documentElement.scrollWidth);
+      assert.equal(await width(), 320);
+      await page.evaluate(() => void (location.hash = '#/forage'));
+      await inState('paused');
+      await page.locator('#foot').getByRole('button', { name: 'Video', exact: true }).click();
+      const dialog = await page.locator('.video-dialog').boundingBox();
+      assert.ok(dialog && dialog.x >= 0 && dialog.x + dialog.width <= 320, JSON.stringify(dialog));
+      assert.equal(await width(), 320);
     },
   ],
   [

@@ -51,9 +51,18 @@ async function hash(file) {
   return [...new Uint8Array(await crypto.subtle.digest('SHA-256', bytes)).slice(0, 8)].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
+// On a busy machine each of the page's workers would be told off for the seconds it took to build.
+const rolldownOptions = { checks: { bundlerTimings: false } };
+
 export default defineConfig({
   base: './',
   plugins: [contentPolicy, offline],
-  worker: { format: 'es' },
-  build: { target: 'es2022', modulePreload: { polyfill: false }, assetsInlineLimit: 0, chunkSizeWarningLimit: 700 }, // kB before compression; the editor of the tab Trees is the largest
+  worker: { format: 'es', rolldownOptions },
+  build: {
+    target: 'es2022',
+    modulePreload: { polyfill: false },
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 700, // kB before compression; the editor of the tab Trees is the largest
+    rolldownOptions,
+  },
 });

@@ -3,9 +3,9 @@
     python3 scripts/scaling.py [SEEDS]
 
 Makes SEEDS runs (1 unless said) of each of the 18 cells and takes their processor seconds, so that other work on the
-machine shows little; measures how long the workflow takes to hand out a shard; then plays through how shards and runs are
-handed out to the cores, as workflow/Snakefile and the command line do, and prints the best numbers of shards and of runs at
-once. A cluster's queue and slower disks are not in it.
+machine shows little, also for handing out a shard with the workflow; then plays through how shards and runs are handed out
+to the cores, as workflow/Snakefile and the command line do, and prints the best numbers of shards and of runs at once. A
+cluster's queue and slower disks are not in it.
 """
 
 import heapq
@@ -16,7 +16,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
 STUDIES = ("studies/figure-2a.json", "studies/figure-2b.json")
@@ -25,14 +24,16 @@ PROGRAM = "target/release/swarm-playground"
 SNAKEMAKE = ".tools/workflow/bin/snakemake"
 THREADS = (1, 2, 3, 4, 6, 8, 9, 12, 16, 18, 32)
 SHARDS = (1, 2, 4, 8, 16, 32, 64)
-SHARDS_COMPARED = (2, 10)
+SHARDS_COMPARED = (4, 44)
 
 
 def main(seeds):
     subprocess.run(["cargo", "build", "--release", "--locked", "--quiet"], check=True)
     studies = [(json.loads(Path(path).read_text()), measured(path, seeds)) for path in STUDIES]
     overhead = shard_overhead()
-    runs = [seconds for study, cells in studies for shard in shards_of(cells, study["seeds"]["count"], 1) for seconds in shard]
+    runs = []
+    for study, cells in studies:
+        runs += shards_of(cells, study["seeds"]["count"], 1)[0]
     version = subprocess.run([PROGRAM, "--version"], check=True, capture_output=True, text=True).stdout.split()[-1]
     print(f"Version {version}, {model()}, {seeds} measured {'run' if seeds == 1 else 'runs'} of each cell.\n")
     print("| study | cells | runs | processor seconds of a run: least, mean, most | core hours |")
@@ -41,15 +42,18 @@ def main(seeds):
         every = [seconds for cell in cells for seconds in cell]
         mean = sum(every) / len(every)
         count = len(cells) * study["seeds"]["count"]
-        print(f"| {study['study']} | {len(cells)} | {count} | {min(every):.1f}, {mean:.1f}, {max(every):.1f} | {count * mean / 3600:.2f} |")
+        spread = f"{min(every):.1f}, {mean:.1f}, {max(every):.1f}"
+        print(f"| {study['study']} | {len(cells)} | {count} | {spread} | {count * mean / 3600:.2f} |")
     print(f"\nThe workflow takes {overhead:.2f} s to hand out a shard on this machine, one after the other.\n")
     print("| cores | shards of a study | runs of a shard at once | time | of the cores' time used |")
     print("|---:|---:|---:|---:|---:|")
     for cores in CORES:
         choices = ((count, threads) for count in SHARDS for threads in THREADS if threads <= cores)
-        wall, count, threads = min((playthrough(studies, cores, count, threads, overhead), count, threads) for count, threads in choices)
+        tried = ((playthrough(studies, cores, *choice, overhead), *choice) for choice in choices)
+        wall, count, threads = min(tried)
         print(f"| {cores:,} | {count} | {threads} | {words(wall)} | {100 * sum(runs) / (cores * wall):.0f} % |")
-    print(f"\n{len(runs):,} runs, {sum(runs) / 3600:.2f} core hours; no number of cores goes below the longest run, {words(max(runs))}.")
+    hours = f"{len(runs):,} runs, {sum(runs) / 3600:.2f} core hours"
+    print(f"\n{hours}; no number of cores goes below the longest run, {words(max(runs))}.")
 
 
 def measured(path, seeds):
@@ -58,8 +62,8 @@ def measured(path, seeds):
     preset = f"scenarios/{spec['scenario']['preset']}.json"
     cells = []
     for cell in spec["cells"]:
-        words = [f"--set={key}={json.dumps(value)}" for key, value in cell.get("set", {}).items()]
-        cells.append([processor_seconds([PROGRAM, "run", preset, f"--seed={seed}", *words]) for seed in range(1, seeds + 1)])
+        command = [PROGRAM, "run", preset, *(f"--set={key}={json.dumps(value)}" for key, value in cell["set"].items())]
+        cells.append([processor_seconds([*command, f"--seed={seed}"]) for seed in range(1, seeds + 1)])
         print(f"{cell['name']}: {cells[-1]}", file=sys.stderr)
     return cells
 
@@ -73,18 +77,20 @@ def processor_seconds(command):
 
 
 def shard_overhead():
-    """Seconds to hand out a shard: two workflows of one study, with nothing to compute, in few and many shards."""
-    took = []
-    for shards in SHARDS_COMPARED:
-        with tempfile.TemporaryDirectory() as folder:
-            study = Path(folder) / "empty.json"
-            scenario = {"world": "geese", "agents": 2, "steps": 1}
-            study.write_text(json.dumps({"study": "empty", "scenario": scenario, "seeds": {"first": 1, "count": max(SHARDS_COMPARED)}, "metrics": ["share"]}))
-            words = [SNAKEMAKE, "--snakefile", "workflow/Snakefile", "--cores", "1", "--config", f"study={study}", f"program={PROGRAM}", f"out={folder}/out", f"shards={shards}"]
-            begun = time.monotonic()
-            subprocess.run(words, check=True, capture_output=True)
-            took.append(time.monotonic() - begun)
-    return max(0.0, (took[1] - took[0]) / (SHARDS_COMPARED[1] - SHARDS_COMPARED[0]))
+    """Processor seconds to hand out a shard: workflows with nothing to compute, in few and in many shards."""
+    fewer, more = (empty_workflow(shards) for shards in SHARDS_COMPARED)
+    return max(0.0, (more - fewer) / (SHARDS_COMPARED[1] - SHARDS_COMPARED[0]))
+
+
+def empty_workflow(shards):
+    """Processor seconds of a workflow that makes one step of two robots in each shard."""
+    with tempfile.TemporaryDirectory() as folder:
+        study = Path(folder) / "empty.json"
+        spec = {"study": "empty", "scenario": {"world": "geese", "agents": 2, "steps": 1}, "metrics": ["share"]}
+        study.write_text(json.dumps({**spec, "seeds": {"first": 1, "count": shards}}))
+        command = [SNAKEMAKE, "--snakefile", "workflow/Snakefile", "--cores", "1", "--config", f"study={study}"]
+        command += [f"program={PROGRAM}", f"out={folder}/out", f"shards={shards}"]
+        return processor_seconds([*command, "--quiet", "all"])
 
 
 def shards_of(cells, seeds, count):
@@ -99,7 +105,7 @@ def playthrough(studies, cores, count, threads, overhead):
 
 
 def handed_out(durations, hands, pause=0.0):
-    """Seconds until all is done, when whoever is free takes the next, and they are given out with a pause before each."""
+    """Seconds until all is done, when whoever is free takes the next; before each there is a pause."""
     free = [0.0] * hands
     for number, duration in enumerate(durations, 1):
         heapq.heapreplace(free, max(free[0], number * pause) + duration)

@@ -9,7 +9,10 @@ done
 [ "$(id -u)" -eq 0 ] || { echo 'skipped: a node of Slurm needs root'; exit 0; }
 
 config=/etc/slurm/slurm.conf
-[ ! -e "$config" ] || { echo "skipped: this machine has a Slurm of its own, $config: pass the profile to scripts/workflow.py there"; exit 0; }
+if [ -e "$config" ]; then
+  echo "skipped: this machine has a Slurm of its own, $config: pass its profile to scripts/workflow.py"
+  exit 0
+fi
 
 home=$(mktemp -d)
 trap 'kill $(cat "$home"/*.pid 2>/dev/null) 2>/dev/null || true; sleep 1; rm -rf "$home" "$config"' EXIT

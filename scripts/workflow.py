@@ -22,7 +22,7 @@ SHARDS, SEEDS = 4, 12
 STUDY = {
     "study": "workflow",
     "scenario": {"preset": "foraging"},
-    "steps": 2000,
+    "steps": 3000,
     "grid": {"geese.agents": [50, 100]},
     "seeds": {"first": 1, "count": SEEDS},
     "metrics": ["share", "steps", "distinct_programs"],
@@ -43,13 +43,13 @@ def main(arguments):
         print(f"skipped: {reason}")
         return 0
     program = build()
-    folder = program.parent.parent / "workflow-check"
+    folder = program.parent.parent / "workflow check"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     study = folder / "workflow.json"
     study.write_text(json.dumps(STUDY))
     command = [str(SNAKEMAKE), "--snakefile", "workflow/Snakefile", "--config", f"study={study}", f"program={program}"]
-    command += [f"shards={SHARDS}", "scenarios=scenarios", f"out={folder / 'out'}", "--cores", "2", "--nocolor", *arguments]
+    command += [f"shards={SHARDS}", "scenarios=scenarios", f"out={folder / 'out'}", "--cores", "2", *arguments]
     checks = Checks(program, folder, study, command)
     failed = 0
     for name in ("two_at_once_are_refused_and_a_killed_one_goes_on_without_loss", "merged_it_is_the_file_of_one_process",
@@ -71,7 +71,7 @@ class Checks:
         self.program, self.folder, self.study, self.command = program, folder, study, command
 
     def two_at_once_are_refused_and_a_killed_one_goes_on_without_loss(self):
-        running = subprocess.Popen(self.command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        running = subprocess.Popen(self.command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         end = time.monotonic() + FOR_ONE
         while len(self.rows()) < 3:
             assert running.poll() is None, "the workflow ended before it could be killed"
@@ -91,16 +91,19 @@ class Checks:
 
     def merged_it_is_the_file_of_one_process(self):
         one = self.folder / "one.csv"
-        words = [str(self.program), "study", str(self.study), "--scenarios", "scenarios", "--jobs", "2", "--out", str(one)]
-        subprocess.run(words, check=True, capture_output=True, timeout=FOR_ONE)
-        report = subprocess.run([str(self.program), "report", str(one)], check=True, capture_output=True, timeout=FOR_ONE)
-        for mine, theirs in ((one.read_bytes(), "workflow.csv"), (report.stdout, "report.md"),
+        self.run("study", str(self.study), "--scenarios", "scenarios", "--jobs", "2", "--out", str(one))
+        report = self.run("report", str(one))
+        for mine, theirs in ((one.read_bytes(), "workflow.csv"), (report, "report.md"),
                              (one.with_suffix(".study.json").read_bytes(), "workflow.study.json")):
             assert mine == (self.folder / "out" / theirs).read_bytes(), f"{theirs} differs"
 
     def a_second_start_has_nothing_to_do(self):
         again = subprocess.run(self.command, capture_output=True, text=True, timeout=FOR_ONE)
         assert "Nothing to be done" in again.stdout + again.stderr, again.stderr[-2000:]
+
+    def run(self, *words):
+        """What the command line prints."""
+        return subprocess.run([str(self.program), *words], check=True, capture_output=True, timeout=FOR_ONE).stdout
 
     def rows(self):
         """Whole rows of all shards."""

@@ -71,8 +71,12 @@ void router.arrive(location.hash).then(keep);
 /** Keeps the page for visits without the network, once it stands; an embedded page keeps nothing. */
 async function keep() {
   if (!import.meta.env.PROD || embedded) return;
-  const { keepOffline } = await import('./offline/keep.js');
-  await keepOffline({ head: find('#top'), announce: (message) => write(live, message) });
+  try {
+    const { keepOffline } = await import('./offline/keep.js');
+    await keepOffline({ head: find('#top'), announce: (message) => write(live, message) });
+  } catch {
+    // the network has gone since: nothing is kept yet
+  }
 }
 
 /** Shows a tree in the workbench. @param {string} xml @param {string} title what it is, for people */

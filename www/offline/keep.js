@@ -8,13 +8,14 @@ import { offlineText as text } from '../ui/strings.offline.en.js';
  * Keeps the page in the browser, so that it opens without the network from the second visit on, and tells when a newer
  * version is there. Everything kept is of one build: the newer one takes over as a whole, when the visitor says so.
  *
- * Does nothing where the browser has no service workers, or does not let us: the page works as it is.
+ * Does nothing where the browser has no service workers or does not let us, or is to save data: the page works as it is.
  *
  * @param {{ head: HTMLElement, announce: (message: string) => void }} parts the notice stands at the end of `head`
  */
 export async function keepOffline({ head, announce }) {
   const { serviceWorker } = navigator;
-  if (!serviceWorker) return;
+  const { connection } = /** @type {{ connection?: { saveData?: boolean } }} */ (navigator);
+  if (!serviceWorker || connection?.saveData) return;
   let asked = false; // whether this window asked for the newer version
   let controlled = serviceWorker.controller !== null;
   /** @type {HTMLElement | null} */

@@ -62,7 +62,7 @@ def measured(path, seeds):
     preset = f"scenarios/{spec['scenario']['preset']}.json"
     cells = []
     for cell in spec["cells"]:
-        command = [PROGRAM, "run", preset, *(f"--set={key}={json.dumps(value)}" for key, value in cell["set"].items())]
+        command = [PROGRAM, "run", preset, *(f"--set={key}={json.dumps(value)}" for key, value in cell.get("set", {}).items())]
         cells.append([processor_seconds([*command, f"--seed={seed}"]) for seed in range(1, seeds + 1)])
         print(f"{cell['name']}: {cells[-1]}", file=sys.stderr)
     return cells

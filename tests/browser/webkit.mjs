@@ -1,8 +1,9 @@
 // WebKitGTK's small browser, driven through its own WebDriver server.
 import { spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { existsSync, readdirSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { onPath } from './system.mjs';
 
@@ -19,9 +20,13 @@ export async function startWebKit() {
   const port = await freePort();
   const words = [program, `--port=${port}`];
   const [first, ...rest] = process.env.DISPLAY ? words : [/** @type {string} */ (screen), '--auto-servernum', ...words];
-  // A group of its own, so that the display ends with it.
-  const driver = spawn(first, rest, { stdio: 'ignore', detached: true });
-  const end = () => void (driver.pid && driver.exitCode === null && process.kill(-driver.pid, 'SIGKILL'));
+  const folder = mkdtempSync(join(tmpdir(), 'swarm-webkit-'));
+  // A group of its own, so that the display ends with it; what the display leaves is in our folder.
+  const driver = spawn(first, rest, { stdio: 'ignore', detached: true, env: { ...process.env, TMPDIR: folder } });
+  const end = () => {
+    if (driver.pid && driver.exitCode === null) process.kill(-driver.pid, 'SIGKILL');
+    rmSync(folder, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
+  };
 
   /** @param {string} method @param {string} path @param {object} [body] @returns {Promise<any>} */
   async function command(method, path, body) {

@@ -2,7 +2,7 @@
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help play test build bench clean tools packages engine check check-port
+.PHONY: help play test build bench docs package workflow workflow-env clean tools packages engine check check-port
 
 PORT ?= 8080
 export PORT
@@ -19,6 +19,9 @@ help:
 	@echo 'make test     run every test and check; ends with "N passed, N failed"'
 	@echo 'make build    build the static site into dist/; it works under any path of any server'
 	@echo 'make bench    measure the engine natively and in WebAssembly (STEPS, ROUNDS and SCENARIO choose what)'
+	@echo 'make docs     write the papers map and the documentation of the library'
+	@echo 'make package  build the npm package into target/npm/'
+	@echo 'make workflow run a study in shards that can be killed (STUDY, SIZE, CORES); docs/scaling.md tells of clusters'
 	@echo 'make clean    remove what was built, but not the tools and packages, which take minutes'
 
 # The browser's address is printed last; the sources of the page are served, so an edit shows at once.
@@ -35,6 +38,25 @@ build: check node_modules/.package-lock.json engine
 
 bench: check engine
 	@node scripts/bench.mjs
+
+# Warnings fail it, so that no link in the documentation leads nowhere.
+docs: check
+	@node scripts/papers.mjs
+	@RUSTDOCFLAGS='-D warnings' cargo doc --no-deps --locked --quiet
+	@echo 'Wrote target/doc/swarm_playground/index.html.'
+
+package: check .tools/bin/wasm-pack node_modules/.package-lock.json
+	@node scripts/package.mjs
+
+workflow-env:
+	@python3 scripts/workflow.py install
+
+STUDY ?= studies/figure-2a.json
+SIZE ?= paper
+CORES ?= all
+workflow: check workflow-env
+	@cargo build --release --locked --quiet
+	@.tools/workflow/bin/snakemake --snakefile workflow/Snakefile --cores $(CORES) --config study=$(STUDY) size=$(SIZE)
 
 clean:
 	rm -rf dist $(engine_folders) www/schema.json

@@ -1,4 +1,4 @@
-import { defineConfig } from 'vite';
+import { build, defineConfig } from 'vite';
 
 const POLICY = [
   "default-src 'none'",
@@ -24,9 +24,45 @@ const contentPolicy = {
   ],
 };
 
+/**
+ * Writes sw.js, which keeps every file of the build for visits without the network (www/offline/worker.js). It is built last
+ * and on its own, because it has to know the others and to be one file under a name that stays.
+ */
+const offline = {
+  name: 'offline',
+  apply: /** @type {const} */ ('build'),
+  /** @param {{ dir?: string }} options @param {import('vite').Rolldown.OutputBundle} bundle */
+  async writeBundle({ dir }, bundle) {
+    // Vite's names change with the content; the page's own name does not.
+    const kept = Object.values(bundle).map(async (file) => ({ url: file.fileName, revision: file.fileName === 'index.html' ? await hash(file) : null }));
+    await build({
+      configFile: false,
+      logLevel: 'warn',
+      define: { 'self.KEPT': JSON.stringify(await Promise.all(kept)) },
+      build: { target: 'es2022', outDir: dir, emptyOutDir: false, copyPublicDir: false, rolldownOptions: { input: 'www/offline/worker.js', output: { format: 'iife', entryFileNames: 'sw.js' } } },
+    });
+  },
+};
+
+/** @param {import('vite').Rolldown.OutputAsset | import('vite').Rolldown.OutputChunk} file */
+async function hash(file) {
+  const content = file.type === 'asset' ? file.source : file.code;
+  const bytes = typeof content === 'string' ? new TextEncoder().encode(content) : new Uint8Array(content);
+  return [...new Uint8Array(await crypto.subtle.digest('SHA-256', bytes)).slice(0, 8)].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+// On a busy machine each of the page's workers would be told off for the seconds it took to build.
+const rolldownOptions = { checks: { bundlerTimings: false } };
+
 export default defineConfig({
   base: './',
-  plugins: [contentPolicy],
-  worker: { format: 'es' },
-  build: { target: 'es2022', modulePreload: { polyfill: false }, assetsInlineLimit: 0, chunkSizeWarningLimit: 700 }, // kB before compression; the editor of the tab Trees is the largest
+  plugins: [contentPolicy, offline],
+  worker: { format: 'es', rolldownOptions },
+  build: {
+    target: 'es2022',
+    modulePreload: { polyfill: false },
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 700, // kB before compression; the editor of the tab Trees is the largest
+    rolldownOptions,
+  },
 });

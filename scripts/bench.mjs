@@ -12,20 +12,12 @@ import { Sequence, initSync as initSequence } from '../www/sequence/engine/swarm
 import { World, initSync as initWorlds } from '../www/engine/swarm_playground.js';
 import { Study, initSync as initStudies } from '../www/studies/engine/swarm_playground.js';
 import { initSync as initTrees, tick_headless } from '../www/trees/engine/swarm_playground.js';
+import { COVERAGE, FIXED, FIXED_STEPS, FLOCKS, FLOCK_STEPS, FORAGING, LAYOUTS, MATCH, MATCH_STEPS, NAVIGATION, PUBLISHED, STEPS, TICKS, TREE, median, playMatch, runWorld, searchLayouts, timed } from '../www/measure/measures.js';
 
-const PUBLISHED = 'scenarios/published.json';
-const FIXED = 'scenarios/hand-tree.json'; // every robot runs one tree of 16 nodes, nobody evolves
-const FIXED_STEPS = 20_000;
-const TREE = 'tests/cases/reactive_tree.json'; // 18 nodes
-const FLOCKS = 'tests/cases/flocks.json'; // 1000 flocks of 20 robots for one interval of 100 steps
-const FLOCK_STEPS = 1000 * 20 * 100;
-const LAYOUTS = 10;
-const MATCH = 'scenarios/match.json'; // ten minutes, both coaches
-const MATCH_STEPS = 36_000;
 const MATCHES = 250; // of the paper's study
-const scenario = process.env.SCENARIO || 'scenarios/foraging.json';
-const steps = Number(process.env.STEPS || 12_000);
-const ticks = Number(process.env.TICKS || 2_000_000);
+const scenario = process.env.SCENARIO || FORAGING;
+const steps = Number(process.env.STEPS || STEPS);
+const ticks = Number(process.env.TICKS || TICKS);
 const rounds = Number(process.env.ROUNDS || 5);
 for (const [name, value] of Object.entries({ STEPS: steps, TICKS: ticks, ROUNDS: rounds })) {
   if (!Number.isInteger(value) || value < 1) {
@@ -37,34 +29,6 @@ for (const [name, value] of Object.entries({ STEPS: steps, TICKS: ticks, ROUNDS:
 /** @param {...string} args of the command line */
 function native(...args) {
   return JSON.parse(execFileSync('cargo', ['run', '--release', '--quiet', '--', ...args], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] }));
-}
-
-/** @param {() => string} work returns a fingerprint */
-function timed(work) {
-  const start = performance.now();
-  const fingerprint = work();
-  return { seconds: (performance.now() - start) / 1000, fingerprint };
-}
-
-/** The scenario in WebAssembly; a run that ends is followed by the next seed. @param {string} json @param {number} steps */
-function runWorld(json, steps) {
-  const scenario = JSON.parse(json);
-  let done = { seconds: 0, fingerprint: '' };
-  for (let left = steps, seed = scenario.seed ?? 1; left > 0; seed += 1) {
-    const world = new World(JSON.stringify({ ...scenario, seed, steps }));
-    const { seconds, fingerprint } = timed(() => {
-      // In slices, as the page does: V8 replaces slow code by fast code only where a function is entered again.
-      while (left > 0) {
-        const made = world.advance(Math.min(20, left));
-        if (made === 0) break;
-        left -= made;
-      }
-      return world.fingerprint();
-    });
-    done = { seconds: done.seconds + seconds, fingerprint };
-    world.free();
-  }
-  return done;
 }
 
 /**
@@ -91,7 +55,7 @@ function measures() {
       unit: 'agent-steps',
       amount: agentSteps,
       native: () => native('bench', scenario, '--steps', String(steps)),
-      wasm: () => runWorld(json, steps),
+      wasm: () => runWorld(World, json, steps),
       least: 12_000 * 100 / 4, // a full run in 4 seconds
       ratio: 0.7,
     },
@@ -100,7 +64,7 @@ function measures() {
       unit: 'agent-steps',
       amount: native('bench', PUBLISHED, '--steps', String(steps)).agent_steps,
       native: () => native('bench', PUBLISHED, '--steps', String(steps)),
-      wasm: () => runWorld(published, steps),
+      wasm: () => runWorld(World, published, steps),
       least: 12_000 * 100 / 7, // a full run in 7 seconds
       ratio: 0.7,
     },
@@ -109,7 +73,7 @@ function measures() {
       unit: 'agent-steps',
       amount: native('bench', FIXED, '--steps', String(FIXED_STEPS)).agent_steps,
       native: () => native('bench', FIXED, '--steps', String(FIXED_STEPS)),
-      wasm: () => runWorld(fixed, FIXED_STEPS),
+      wasm: () => runWorld(World, fixed, FIXED_STEPS),
       least: 1_000_000,
       ratio: 0.6,
     },
@@ -123,13 +87,6 @@ function measures() {
       ratio: 0.6,
     },
   ];
-}
-
-/** @param {number[]} values */
-function median(values) {
-  const sorted = [...values].sort((a, b) => a - b);
-  const middle = sorted.length >> 1;
-  return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
 const rate = (/** @type {number} */ value) => Math.round(value).toLocaleString('en').padStart(12);
@@ -165,23 +122,7 @@ function run({ title, unit, amount, native: runNative, wasm: runWasm, least, rat
   }
 }
 
-/** @typedef {{ seconds: number, outcome: string, plan: string | null, cost: number | null, lower_bound: number | null, integrated: number, expanded: number }} Searched */
-
-/** The search on layouts in WebAssembly, with the seeds from the scenario's on. @param {string} file @param {number} layouts @returns {Searched[]} */
-function searchLayouts(file, layouts) {
-  const scenario = JSON.parse(readFileSync(file, 'utf8'));
-  return Array.from({ length: layouts }, (_, number) => {
-    const sequence = new Sequence(JSON.stringify({ ...scenario, seed: (scenario.seed ?? 1) + number }));
-    // In slices, as the page does.
-    const { seconds } = timed(() => {
-      while (sequence.advance(16));
-      return '';
-    });
-    const found = JSON.parse(sequence.progress());
-    sequence.free();
-    return { ...found, seconds };
-  });
-}
+/** @import { Searched } from '../www/measure/measures.js' */
 
 /** What a search came to, without the time. @param {Searched} found */
 const cameTo = ({ outcome, plan, cost, lower_bound: bound, integrated, expanded }) => JSON.stringify([outcome, plan, cost, bound, integrated, expanded]);
@@ -191,14 +132,15 @@ const cameTo = ({ outcome, plan, cost, lower_bound: bound, integrated, expanded 
  * @param {string} file @param {number} layouts @param {number} times
  */
 function searches(file, layouts, times) {
-  searchLayouts(file, 1); // the first run is slower: V8 is still compiling
+  const json = readFileSync(file, 'utf8');
+  searchLayouts(Sequence, json, 1); // the first run is slower: V8 is still compiling
   /** @type {{ native: number[][], wasm: number[][] }} seconds, by layout */
   const seconds = { native: [], wasm: [] };
   /** @type {Searched[]} */
   let found = [];
   for (let round = 0; round < times; round++) {
     found = native('sequence', 'measure', file, '--layouts', String(layouts)).layouts;
-    const theirs = searchLayouts(file, layouts);
+    const theirs = searchLayouts(Sequence, json, layouts);
     found.forEach((ours, at) => {
       (seconds.native[at] ??= []).push(ours.seconds);
       (seconds.wasm[at] ??= []).push(theirs[at].seconds);
@@ -217,18 +159,18 @@ function plans() {
   const mean = (/** @type {number[]} */ values) => values.reduce((all, value) => all + value, 0) / values.length;
   const ms = (/** @type {string} */ name, /** @type {number} */ value, /** @type {number} */ most) => console.log(`${name.padEnd(12)} ${verdict(value <= most)}: ${value.toFixed(1)} ms at the median, at most ${most}`);
 
-  const navigation = searches('scenarios/navigation.json', LAYOUTS, times);
+  const navigation = searches(NAVIGATION, LAYOUTS, times);
   const counts = navigation.found.map(({ integrated }) => integrated);
   const solved = navigation.found.filter(({ outcome }) => outcome === 'solved').length;
-  console.log(`\nscenarios/navigation.json, ${LAYOUTS} layouts, medians over them of the medians over ${times} rounds`);
+  console.log(`\n${NAVIGATION}, ${LAYOUTS} layouts, medians over them of the medians over ${times} rounds`);
   console.log(`integrations ${verdict(median(counts) <= 40)}: ${median(counts)} at the median, at most 40`);
   console.log(`solved       ${verdict(solved === LAYOUTS)}: ${solved} of ${LAYOUTS}`);
   ms('native', per(navigation.native), 15);
   ms('wasm', per(navigation.wasm), 30);
 
-  const coverage = searches('scenarios/coverage.json', LAYOUTS, times);
+  const coverage = searches(COVERAGE, LAYOUTS, times);
   const integrations = mean(coverage.found.map(({ integrated }) => integrated));
-  console.log(`\nscenarios/coverage.json, ${LAYOUTS} layouts`);
+  console.log(`\n${COVERAGE}, ${LAYOUTS} layouts`);
   console.log(`integrations ${verdict(integrations <= 130)}: ${integrations.toFixed(1)} in the mean, at most 130`);
   console.log(`native       ${per(coverage.native).toFixed(1)} ms at the median`);
   console.log(`wasm         ${per(coverage.wasm).toFixed(1)} ms at the median`);
@@ -240,34 +182,18 @@ function plans() {
   console.log(`wasm/native  ${verdict(slow / fast >= 0.65)}: ${(slow / fast).toFixed(2)}, at least 0.65`);
 }
 
-/** A match in WebAssembly, by the engine that makes the page's studies. @param {string} json */
-function playMatch(json) {
-  const { seed = 1, ...scenario } = JSON.parse(json);
-  const spec = { study: 'bench', scenario, seeds: { first: seed, count: 1 }, metrics: ['goals'] };
-  const study = new Study(JSON.stringify(spec), '{}', 'paper');
-  const job = study.start(0);
-  const done = timed(() => {
-    while (!job.advance(600));
-    // The last column but the reason.
-    return job.line().trimEnd().split(',').at(-2) ?? '';
-  });
-  job.free();
-  study.free();
-  return done;
-}
-
 /** How long a match takes, which the two play in turns. */
 function matches() {
   const json = readFileSync(MATCH, 'utf8');
   const { steps: made } = native('bench', MATCH, '--steps', String(MATCH_STEPS));
-  playMatch(json); // the first run is slower: V8 is still compiling
+  playMatch(Study, json, MATCH_STEPS); // the first run is slower: V8 is still compiling
   /** @type {number[]} */
   const ours = [];
   /** @type {number[]} */
   const theirs = [];
   const fingerprints = new Set();
   for (let round = 0; round < rounds; round++) {
-    for (const [list, done] of /** @type {const} */ ([[ours, native('bench', MATCH, '--steps', String(MATCH_STEPS))], [theirs, playMatch(json)]])) {
+    for (const [list, done] of /** @type {const} */ ([[ours, native('bench', MATCH, '--steps', String(MATCH_STEPS))], [theirs, playMatch(Study, json, MATCH_STEPS)]])) {
       list.push(done.seconds);
       fingerprints.add(done.fingerprint);
     }

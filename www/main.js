@@ -1,7 +1,8 @@
+import './ui/language.js';
 import { EngineError } from './engine.js';
 import { createRouter } from './router.js';
 import { createForage } from './tabs/forage.js';
-import { button, find, h } from './ui/dom.js';
+import { button, find, h, write } from './ui/dom.js';
 import { createKeys } from './ui/keys.js';
 import { text } from './ui/strings.en.js';
 import { createThemeSwitch } from './ui/theme.js';
@@ -55,6 +56,13 @@ const router = createRouter({
       deep: true,
       load: async (parts) => (await import('./tabs/studies.js')).createStudies({ ...parts, element: find('#studies'), live }),
     },
+    {
+      name: 'bench',
+      label: text.tabs.bench,
+      element: find('#bench'),
+      aside: true,
+      load: async (parts) => (await import('./tabs/measure.js')).createMeasure({ ...parts, element: find('#bench'), live }),
+    },
   ],
 });
 
@@ -65,7 +73,19 @@ document.addEventListener('visibilitychange', () => {
 window.addEventListener('unhandledrejection', (event) => {
   if (event.reason instanceof EngineError && event.reason.fatal) event.preventDefault(); // told by the tab whose engine it is
 });
-void router.arrive(location.hash);
+const embedded = /[?&]embed=1(&|$)/.test(location.hash); // as it was opened: the address changes with the run
+void router.arrive(location.hash).then(keep);
+
+/** Keeps the page for visits without the network, once it stands; an embedded page keeps nothing. */
+async function keep() {
+  if (!import.meta.env.PROD || embedded) return;
+  try {
+    const { keepOffline } = await import('./offline/keep.js');
+    await keepOffline({ head: find('#top'), announce: (message) => write(live, message) });
+  } catch {
+    // the network has gone since: nothing is kept yet
+  }
+}
 
 /** Shows a tree in the workbench. @param {string} xml @param {string} title what it is, for people */
 async function openTree(xml, title) {

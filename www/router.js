@@ -21,6 +21,7 @@ import { splitOnce } from './pack.js';
  * @property {string} name as in the address
  * @property {string} label
  * @property {HTMLElement} element shown while the tab is open
+ * @property {boolean} [aside] whether it is linked from elsewhere than the header
  * @property {boolean} [deep] whether its addresses go on after its name, as in `#/studies/success`
  * @property {(parts: { address: Address, built: () => void }) => Promise<Tab>} load called once, when the tab is opened first
  *
@@ -44,7 +45,7 @@ export function createRouter({ places, nav, keys }) {
   let standing = location.hash; // the address before the change that is being told
   let told = location.hash; // the address as it was arrived at or written last; another one is a step back or forward not told of yet
 
-  nav.append(...rooms.map(({ link }) => link));
+  nav.append(...rooms.filter(({ aside }) => !aside).map(({ link }) => link));
   nav.addEventListener('click', (event) => {
     if (event.target === current?.link) event.preventDefault(); // it is open already, and its address says more than the link's
   });

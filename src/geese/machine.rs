@@ -44,7 +44,7 @@ pub struct Rule {
 /// A variable that a rule may set.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Setting {
-    /// By place in [`VARIABLES`].
+    /// By place in `VARIABLES`.
     pub variable: u8,
     /// The value it is given.
     pub value: bool,

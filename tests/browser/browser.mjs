@@ -1,18 +1,16 @@
 // Starts Chromium and wraps a page in the few words the tests speak.
-import { existsSync } from 'node:fs';
-import { delimiter, join } from 'node:path';
 import { chromium } from 'playwright-core';
+import { onPath } from './system.mjs';
 
 const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
 const PATIENCE_MS = 60_000; // a busy machine may stand still for half a minute
 
 /** Chromium from the variable CHROMIUM or the PATH; null when there is none. */
-export function findChromium() {
-  if (process.env.CHROMIUM) return process.env.CHROMIUM;
-  const places = (process.env.PATH ?? '').split(delimiter).flatMap((folder) => NAMES.map((name) => join(folder, name)));
-  return places.find((place) => existsSync(place)) ?? null;
-}
+export const findChromium = () => process.env.CHROMIUM || onPath(NAMES);
+
+/** Also makes sure that the page works where there are none. */
+const WITHOUT_SERVICE_WORKERS = () => Object.defineProperty(Navigator.prototype, 'serviceWorker', { value: undefined });
 
 /** Starts a browser with a user-data directory of its own. @param {string} executablePath */
 export const launch = (executablePath) => chromium.launch({ executablePath, args: FLAGS });
@@ -23,11 +21,13 @@ export const launch = (executablePath) => chromium.launch({ executablePath, args
  * @param {import('playwright-core').Browser} browser
  * @param {string} url
  * @param {string} [hash]
- * @param {import('playwright-core').BrowserContextOptions} [options] motion is reduced unless asked for, so nothing moves by itself
+ * @param {import('playwright-core').BrowserContextOptions} [options] motion is reduced unless asked for, so nothing moves by itself;
+ *   without `serviceWorkers: 'allow'` the page keeps nothing for later visits
  */
 export async function openPage(browser, url, hash = '', options = {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce', ...options });
   context.setDefaultTimeout(PATIENCE_MS);
+  if (options.serviceWorkers !== 'allow') await context.addInitScript(WITHOUT_SERVICE_WORKERS);
   const page = await context.newPage();
   const problems = [];
   page.on('console', (message) => {

@@ -20,7 +20,7 @@ const TYPES = {
 export function serve(folder, prefix) {
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
-    const inside = normalize(decodeURIComponent(pathname.slice(prefix.length)) || 'index.html');
+    const inside = normalize(decodeURIComponent(pathname.slice(prefix.length)).replace(/(^|\/)$/, '$1index.html'));
     const file = join(folder, inside);
     if (!pathname.startsWith(prefix) || inside.startsWith('..') || !existsSync(file) || !statSync(file).isFile()) {
       response.writeHead(404).end();
@@ -32,7 +32,11 @@ export function serve(folder, prefix) {
   return new Promise((resolve) => {
     server.listen(0, '127.0.0.1', () => {
       const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
-      resolve({ url: `http://127.0.0.1:${port}${prefix}`, close: () => server.close() });
+      const close = () => {
+        server.close();
+        server.closeAllConnections();
+      };
+      resolve({ url: `http://127.0.0.1:${port}${prefix}`, close });
     });
   });
 }

@@ -8,7 +8,7 @@ const AS = 'committed';
 /**
  * The committed results of a study, read when they are first asked for.
  *
- * @typedef {{ file: string, hash: string, reported: Reported }} Shown
+ * @typedef {{ file: string, hash: string, spec: string, reported: Reported }} Shown `spec` is the study they were made from
  *
  * @param {Engine} desk
  */
@@ -41,7 +41,7 @@ export function createCommitted(desk) {
     const [rows, study] = await Promise.all([csv(), spec()]);
     /** @type {{ plan: Plan }} */
     const { plan } = await desk.request('open', { as: AS, spec: study, size: 'paper' });
-    return { file, hash: plan.hash, reported: await desk.request('report', { as: AS, results: rows }) };
+    return { file, hash: plan.hash, spec: study, reported: await desk.request('report', { as: AS, results: rows }) };
   }
 }
 

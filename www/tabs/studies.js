@@ -76,7 +76,7 @@ export function createStudies({ element, address, built, live }) {
     createStudyForm({ pane: frame.form, session: ready, presets });
     createStudyText({ pane: frame.words, session: ready, original, unfold: frame.unfold });
     createStudyBar({ pane: frame.bar, run, session: ready, state, speed, cores });
-    createStudyFoot({ pane: frame.foot, run, session: ready, shown: results.shown, say: notices.say });
+    createStudyFoot({ pane: frame.foot, run, session: ready, shown: results.shown, origin: results.origin, say: notices.say });
     Object.assign(actions, { toggle: () => !ready.list && run.toggle() });
     built();
 

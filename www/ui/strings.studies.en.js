@@ -170,6 +170,11 @@ export const studiesText = {
     reportLong: 'Tables, tests and the paper’s values as Markdown',
     svg: 'The figure',
     png: 'The figure at twice its size, on light ground',
+    zip: 'Study, rows, report, figure and citation in one file',
+    zipMissing: 'The part that packs files could not be loaded. Is the network there?',
+    /** @param {string} name @param {string} title @param {string} version @param {string} hash @param {string} link */
+    citation: (name, title, version, hash, link) =>
+      `Swarm playground ${version}: "${title}", study ${hash}.\n${link}\n\nThe command line of this version makes the same rows again:\nswarm-playground study ${name}.study.json --out again.csv\n`,
     nothing: 'There is nothing to take away yet: make some runs first.',
     noFigure: 'This study has no figure, or no run to draw.',
     tooLong: (/** @type {number} */ letters) => `The link would have ${letters} letters, too many for some programs. Save the study as a file instead.`,

@@ -1,3 +1,4 @@
+import { benchLink } from '../ui/benchlink.js';
 import { button, h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { copy, save } from '../ui/share.js';
@@ -28,13 +29,14 @@ export function createFoot({ pane, run, lens, state, session, theme, open, treeS
   const fps = h('output', { id: 'fps', 'aria-label': text.foot.fps });
   const pace = h('output', { id: 'ms', 'aria-label': text.foot.ms });
   pane.append(
-    h('p', { class: 'facts' }, h('span', { id: 'version' }, session.version), fingerprint, fps, pace),
+    h('p', { class: 'facts' }, h('span', { id: 'version' }, session.version), fingerprint, fps, pace, benchLink()),
     h(
       'div',
       { class: 'take', role: 'group', 'aria-label': text.foot.take },
       button(text.foot.copyLink, () => void copyLink(), { action: 'copy-link' }),
       button('PNG', png, { title: text.foot.png }),
       button(text.foot.worldSvg, worldSvg, { title: text.foot.worldSvgLong }),
+      button(text.foot.video, () => void video(), { title: text.foot.videoLong }),
       button(text.foot.treeSvg, tree, { title: text.foot.treeSvgLong }),
       button('CSV', () => void csv().catch(() => {}), { title: text.foot.csv }),
       button('JSON', json, { title: text.foot.json }),
@@ -88,6 +90,19 @@ export function createFoot({ pane, run, lens, state, session, theme, open, treeS
     context.fillStyle = theme().ground;
     context.fillRect(0, 0, view.size, view.size);
     canvas.toBlob((blob) => blob && save(`${stem()}.png`, blob));
+  }
+
+  async function video() {
+    if (!world().ready()) return;
+    const { layers } = world().view;
+    const { scenario, tick } = lens.run;
+    const parts = { scenario, tick, layers: { ...layers }, theme: theme(), steps: run.steps, stem: `swarm-${session.preset}-seed${scenario.seed}` };
+    const at = (/** @type {number} */ now) => text.foot.caption(session.preset, lens.side(), scenario.seed, now);
+    try {
+      (await import('./videodialog.js')).openVideo({ ...parts, caption: at, say });
+    } catch {
+      say(text.foot.videoMissing, 'problem');
+    }
   }
 
   function tree() {

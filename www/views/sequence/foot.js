@@ -1,3 +1,4 @@
+import { benchLink } from '../../ui/benchlink.js';
 import { createSvgContext } from '../../draw/svgcontext.js';
 import { LONGEST_LINK } from '../../pack.js';
 import { planJson, trajectoriesCsv } from '../../sequence/export.js';
@@ -23,7 +24,7 @@ const PICTURE_SCALE = 2;
  */
 export function createSequenceFoot({ pane, planner, playback, session, map, theme, say }) {
   pane.append(
-    h('p', { class: 'facts' }, h('span', {}, session.version), h('span', {}, sequenceText.foot.honest)),
+    h('p', { class: 'facts' }, h('span', {}, session.version), h('span', {}, sequenceText.foot.honest), benchLink()),
     h(
       'div',
       { class: 'take', role: 'group', 'aria-label': text.foot.take },

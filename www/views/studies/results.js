@@ -210,5 +210,8 @@ export function createStudyResults({ pane, run, session, state, speed, committed
   return {
     /** The results on screen, for taking them away. @returns {Promise<Reported | null>} */
     shown: async () => (chosen === 'committed' && loaded ? loaded.reported : run.results()),
+
+    /** The study that the results on screen were made from. */
+    origin: () => (chosen === 'committed' && loaded ? loaded : { spec: run.complete(), hash: run.plan?.hash ?? '' }),
   };
 }

@@ -1,3 +1,4 @@
+import { benchLink } from '../../ui/benchlink.js';
 import { button, h, write } from '../../ui/dom.js';
 import { copy, save } from '../../ui/share.js';
 import { text } from '../../ui/strings.en.js';
@@ -21,7 +22,7 @@ export function createBenchFoot({ pane, run, session, format, picture, title, pl
   const fingerprint = h('output', { class: 'fingerprint', id: 'trees-fingerprint', title: text.foot.fingerprint, 'aria-label': text.foot.fingerprint });
   const coach = button(benchText.foot.coach, () => void playCoach(session.running().xml), { title: benchText.foot.coachLong });
   pane.append(
-    h('p', { class: 'facts' }, h('span', {}, session.version), fingerprint),
+    h('p', { class: 'facts' }, h('span', {}, session.version), fingerprint, benchLink()),
     h(
       'div',
       { class: 'take', role: 'group', 'aria-label': benchText.foot.take },

@@ -1,0 +1,20 @@
+/** Texts of the dialog that films a run. */
+export const videoText = {
+  title: 'Film this run',
+  about: 'Every picture is a tick that was computed for it, so the film runs evenly on any computer. The run on screen stays as it is.',
+  from: 'From tick',
+  to: 'To tick',
+  every: 'Ticks per picture',
+  size: 'Pixels',
+  extent: (/** @type {number} */ frames, /** @type {string} */ seconds, /** @type {number} */ rate) => `${frames} pictures, ${seconds} s at ${rate} pictures a second.`,
+  tooLong: (/** @type {number} */ frames, /** @type {number} */ most) => `${frames} pictures are too many to hold at once: at most ${most}. Take more ticks per picture, or fewer ticks.`,
+  noExtent: (/** @type {number} */ steps) => `Expected whole ticks from 0 to ${steps}, the first not after the last, and at least one tick per picture.`,
+  start: 'Film',
+  stop: 'Stop',
+  progress: 'Pictures made',
+  done: (/** @type {number} */ done, /** @type {number} */ all) => `${done} of ${all} pictures`,
+  stopped: 'Stopped. Nothing was saved.',
+  saved: (/** @type {string} */ name, /** @type {number} */ frames, /** @type {string} */ codec) => `Saved ${name}: ${frames} pictures, ${codec}.`,
+  failed: (/** @type {string} */ why) => `The film could not be made: ${why}`,
+  noEncoder: 'This browser cannot encode video: it lacks WebCodecs, or an encoder for this size. Current Chromium, Firefox and Safari on a desktop can; PNG and SVG pictures work here.',
+};

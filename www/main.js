@@ -11,16 +11,19 @@ import { createThemeSwitch } from './ui/theme.js';
 const live = find('#live');
 const themes = createThemeSwitch();
 const nav = h('nav', { 'aria-label': text.tabs.label });
+const tools = h('div', { class: 'tools' });
 const keys = createKeys({
   keys: () => keys.open(),
   'tab-forage': () => void router.visit('forage'),
   'tab-trees': () => void router.visit('trees'),
   'tab-studies': () => void router.visit('studies'),
   'tab-sequence': () => void router.visit('sequence'),
+  'tab-learn': () => void router.visit('learn'),
 });
 const router = createRouter({
   nav,
   keys,
+  tools,
   places: [
     {
       name: 'forage',
@@ -47,10 +50,18 @@ const router = createRouter({
       deep: true,
       load: async (parts) => (await import('./tabs/studies.js')).createStudies({ ...parts, element: find('#studies'), live }),
     },
+    {
+      name: 'learn',
+      label: text.tabs.learn,
+      element: find('#learn'),
+      deep: true,
+      load: async (parts) => (await import('./tabs/learn.js')).createLearn({ ...parts, element: find('#learn'), live }),
+    },
   ],
 });
 
-find('#top').append(h('h1', {}, text.title), nav, h('div', { class: 'tools' }, themes.element, button(text.keys.open, () => keys.open(), { action: 'keys' })));
+tools.append(themes.element, button(text.keys.open, () => keys.open(), { action: 'keys' }), button(text.share, () => void share(), { action: 'share' }));
+find('#top').append(h('h1', {}, text.title), nav, tools);
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) router.pause();
 });
@@ -58,6 +69,12 @@ window.addEventListener('unhandledrejection', (event) => {
   if (event.reason instanceof EngineError && event.reason.fatal) event.preventDefault(); // told by the tab whose engine it is
 });
 void router.arrive(location.hash);
+
+/** What can be given away of the open tab: links, a frame, a file, a citation. */
+async function share() {
+  const { openShare } = await import('./share/dialog.js');
+  await openShare(router.active());
+}
 
 /** Shows a tree in the workbench. @param {string} xml @param {string} title what it is, for people */
 async function openTree(xml, title) {

@@ -214,6 +214,21 @@ export function createForage({ address, built, live, themes, openTree }) {
     actions,
     regions: [pane, transportPane],
     pause: run.pause,
+    async share() {
+      if (!session) throw new Error(text.fault.noWasm);
+      await run.mark();
+      const { scenario, fingerprintTick, fingerprint } = run;
+      return {
+        hash: await session.link(),
+        title: String(scenario.title ?? session.preset),
+        version: session.version,
+        seed: scenario.seed,
+        tick: fingerprintTick,
+        fingerprint,
+        file: { name: `swarm-${session.preset}-seed${scenario.seed}.json`, text: JSON.stringify(scenario, null, 2) },
+        world: 'geese',
+      };
+    },
     async open(hash) {
       if (!started) {
         started = start(hash);

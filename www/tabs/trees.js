@@ -84,6 +84,23 @@ export function createTrees({ element, address, built, live }) {
     actions,
     regions,
     pause: run.pause,
+    async share() {
+      if (!workbench) throw new Error(text.fault.noWasm);
+      run.pause();
+      const { session } = workbench;
+      const { xml, ...rest } = session.setup();
+      const name = session.entry()?.name ?? 'tree';
+      return {
+        hash: await session.link(),
+        title: session.entry()?.title || session.rest().title || run.tree?.main || name,
+        version: session.version,
+        seed: null,
+        tick: run.tick,
+        fingerprint: session.stale ? '' : (run.moment?.fingerprint ?? ''),
+        file: { name: `${name}.json`, text: JSON.stringify({ version: session.version, xml, ...rest, length: run.length, at: run.tick }, null, 2) },
+        world: 'trees',
+      };
+    },
     async open(hash) {
       if (!started) {
         started = start(hash);

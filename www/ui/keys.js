@@ -29,6 +29,7 @@ export const KEYS = [
   { keys: ['2'], shown: '2', action: 'tab-sequence' },
   { keys: ['3'], shown: '3', action: 'tab-trees' },
   { keys: ['4'], shown: '4', action: 'tab-studies' },
+  { keys: ['5'], shown: '5', action: 'tab-learn' },
   { keys: ['?'], shown: '?', action: 'keys' },
   { keys: [], shown: text.keys.arrows, action: 'world-arrows', tab: 'forage' },
   { keys: [], shown: 'Home, End', action: 'world-ends', tab: 'forage' },

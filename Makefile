@@ -21,7 +21,7 @@ help:
 # The browser's address is printed last; the sources of the page are served, so an edit shows at once.
 play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json www/engine/swarm_playground_bg.wasm \
   www/trees/engine/swarm_playground_bg.wasm www/studies/engine/swarm_playground_bg.wasm \
-  www/sequence/engine/swarm_playground_bg.wasm www/schema.json
+  www/sequence/engine/swarm_playground_bg.wasm www/schema.json www/landing.html
 	@node scripts/play.mjs
 
 test: check
@@ -35,14 +35,14 @@ bench: check engine
 	@node scripts/bench.mjs
 
 clean:
-	rm -rf dist www/engine www/trees/engine www/studies/engine www/sequence/engine www/schema.json
+	rm -rf dist www/engine www/trees/engine www/studies/engine www/sequence/engine www/schema.json www/landing.html
 	cargo clean
 
 # Steps of the above, by name for scripts/test.mjs.
 tools: .tools/bin/wasm-pack
 packages: node_modules/.package-lock.json
 engine: www/engine/.optimised www/trees/engine/.optimised www/studies/engine/.optimised \
-  www/sequence/engine/.optimised www/schema.json
+  www/sequence/engine/.optimised www/schema.json www/landing.html
 
 check:
 	@sh scripts/check.sh $(MAKECMDGOALS)
@@ -106,6 +106,11 @@ www/studies/engine/swarm_playground_bg.wasm: $(engine_sources) .tools/bin/wasm-p
 # The first engine has no room for what is said of parameters; another one writes it down.
 www/schema.json: www/studies/engine/swarm_playground_bg.wasm scripts/schema.mjs
 	@node scripts/schema.mjs
+
+# What is seen before any script has run: a moment that the engine makes.
+www/landing.html: www/engine/swarm_playground_bg.wasm scripts/still.mjs www/opening.js www/ui/strings.landing.en.js \
+  www/draw/world.js www/draw/frame.js
+	@node scripts/still.mjs
 
 www/studies/engine/.optimised: $(engine_sources) .tools/bin/wasm-pack | check node_modules/.package-lock.json
 	@echo 'Building the optimised engine of the studies'

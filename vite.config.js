@@ -1,3 +1,5 @@
+// @ts-expect-error the types of Node are not installed: nothing of the page may use it
+import { readFileSync } from 'node:fs';
 import { defineConfig } from 'vite';
 
 const POLICY = [
@@ -24,9 +26,15 @@ const contentPolicy = {
   ],
 };
 
+/** Puts the first picture, which scripts/still.mjs drew, into the page: it is seen before any script has run. */
+const landing = {
+  name: 'landing',
+  transformIndexHtml: (/** @type {string} */ html) => html.replace('<!-- landing -->', () => readFileSync('www/landing.html', 'utf8')),
+};
+
 export default defineConfig({
   base: './',
-  plugins: [contentPolicy],
+  plugins: [contentPolicy, landing],
   worker: { format: 'es' },
   build: { target: 'es2022', modulePreload: { polyfill: false }, assetsInlineLimit: 0, chunkSizeWarningLimit: 700 }, // kB before compression; the editor of the tab Trees is the largest
 });

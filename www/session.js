@@ -139,13 +139,14 @@ export function createSession({ engine, run, state, address, beside, schema, ver
      * Opens a link as far as it can be read, runs to its tick and compares the fingerprint.
      *
      * @param {string} hash
+     * @param {boolean} [quiet] whether nothing is said of reaching the tick
      * @returns {Promise<boolean>} whether the world may start to move by itself
      */
-    open(hash) {
+    open(hash, quiet = false) {
       links += 1;
       const number = links;
       run.cancel(); // an earlier link need not reach its tick any more
-      const next = opening.then(() => openLink(hash, number));
+      const next = opening.then(() => openLink(hash, number, quiet));
       opening = next.catch(() => {});
       return next;
     },
@@ -166,8 +167,8 @@ export function createSession({ engine, run, state, address, beside, schema, ver
     },
   };
 
-  /** @param {string} hash @param {number} number of the link, to know whether a later one waits */
-  async function openLink(hash, number) {
+  /** @param {string} hash @param {number} number of the link, to know whether a later one waits @param {boolean} quiet */
+  async function openLink(hash, number, quiet) {
     const parts = await readLink(hash, schema, presets.map((preset) => preset.name));
     if (parts.version && parts.version !== version) parts.problems.push(text.link.version(parts.version, version));
     const base = await completed(parts.preset);
@@ -180,7 +181,8 @@ export function createSession({ engine, run, state, address, beside, schema, ver
     if (parts.tick === null) return true;
     if (number === links) await run.seek(parts.tick);
     if (number !== links) return false;
-    say(...verdict(parts));
+    const [said, kind] = verdict(parts);
+    if (!quiet || kind === 'problem') say(said, kind);
     const other = beside.verdict(parts);
     if (other) say(other, 'problem');
     return false;

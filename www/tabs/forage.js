@@ -13,6 +13,7 @@ import { createFiles } from '../files/files.js';
 import { createFault } from '../views/fault.js';
 import { createFoot } from '../views/foot.js';
 import { createInspector } from '../views/inspector.js';
+import { createLanding, openingOf } from '../views/landing.js';
 import { createLegend } from '../views/legend.js';
 import { createTransport } from '../views/transport.js';
 import { createWorldView } from '../views/world.js';
@@ -38,6 +39,7 @@ export function createForage({ address, built, live, themes, openTree }) {
   const notices = createNotices(pane, live);
   const fault = createFault(pane, notices.say);
   const selection = createSelection();
+  const landing = createLanding();
   const spawn = () => new Worker(new URL('../worker.js', import.meta.url), { type: 'module' });
   const engine = createEngine(broke, spawn);
   /** Where the requests of the run go; in A | B to both engines. */
@@ -69,6 +71,8 @@ export function createForage({ address, built, live, themes, openTree }) {
   let session = null;
   /** @type {Promise<void> | null} */
   let started = null;
+  let waiting = true; // whether the still is seen
+  let invalidate = () => {};
 
   pane.setAttribute('aria-label', text.world.region);
   onStorageBlocked(() => notices.say(text.notSaved));
@@ -84,17 +88,38 @@ export function createForage({ address, built, live, themes, openTree }) {
       const hello = await engine.request('hello');
       session = createSession({ engine, run, state, address, beside, schema: hello.schema, version: hello.version, presets: readPresets(), say: notices.say });
       build(session);
-      const mayMove = await session.open(hash);
-      if (mayMove && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
+      const opening = openingOf(hash);
+      if (!opening || landing.wished()) shown();
+      const mayMove = await session.open(landing.wished() ? opening.replace(/&t=.*/, '') : opening || hash, opening !== '');
+      shown();
+      if (landing.wished()) landing.now();
+      else if ((mayMove || opening) && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
     } catch (error) {
       if (state.name !== 'error') broke(messageOf(error)); // an engine that broke has said so itself
     }
   }
 
+  /** From now on the live world is seen. */
+  function shown() {
+    if (!waiting) return;
+    waiting = false;
+    invalidate();
+  }
+
   /** Puts the tab together. @param {Session} ready */
   function build(ready) {
     const { theme } = themes;
-    const world = createWorldView({ pane, run, state, selection, theme, drawn: () => (foot.drew(), compare?.drew()), rings: () => compare?.rings() ?? true });
+    const world = createWorldView({
+      pane,
+      run,
+      state,
+      selection,
+      theme,
+      drawn: () => (foot.drew(), compare?.drew()),
+      rings: () => compare?.rings() ?? true,
+      covered: () => waiting,
+    });
+    invalidate = world.invalidate;
     const lens = createLens(run, { request: engine.request, run, world: () => world, side: '' });
     const files = createFiles({ element: find('#forage'), engine: lens.engine, lens, run, session: ready, say: notices.say });
     createLegend({ pane, run, lens, state, selection, world });
@@ -127,6 +152,7 @@ export function createForage({ address, built, live, themes, openTree }) {
       say: notices.say,
     });
     themes.on(world.invalidate);
+    landing.ready({ ready, run, fastest: transport.fastest, charts: () => inspector.open('charts') });
     loadCompare = async () => {
       loading ??= import('../ab/compare.js').then(({ createCompare }) =>
         createCompare({

@@ -3,6 +3,7 @@ import { createRouter } from './router.js';
 import { createForage } from './tabs/forage.js';
 import { button, find, h } from './ui/dom.js';
 import { createKeys } from './ui/keys.js';
+import { embedded } from './ui/storage.js';
 import { text } from './ui/strings.en.js';
 import { createThemeSwitch } from './ui/theme.js';
 
@@ -68,6 +69,7 @@ document.addEventListener('visibilitychange', () => {
 window.addEventListener('unhandledrejection', (event) => {
   if (event.reason instanceof EngineError && event.reason.fatal) event.preventDefault(); // told by the tab whose engine it is
 });
+if (embedded) void import('./embed.js').then(({ createEmbed }) => createEmbed({ active: router.active }));
 void router.arrive(location.hash);
 
 /** What can be given away of the open tab: links, a frame, a file, a citation. */

@@ -1,4 +1,4 @@
-import { button, h, s, write } from '../ui/dom.js';
+import { button, h, s, write, zoomOf } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { locate } from '../draw/frame.js';
 import { createTrail } from '../draw/trail.js';
@@ -97,7 +97,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn, rin
   function draw() {
     asked = false;
     if (!ready || view.size === 0) return;
-    if (pixelRatio !== devicePixelRatio) resize();
+    if (pixelRatio !== devicePixelRatio * zoomOf(canvas)) resize();
     view.frame = run.frame;
     aim();
     canvas.classList.toggle('zoomed', view.camera.zoom > 1);
@@ -155,7 +155,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn, rin
 
   function resize() {
     const side = Math.floor(Math.min(stage.clientWidth, stage.clientHeight));
-    pixelRatio = devicePixelRatio;
+    pixelRatio = devicePixelRatio * zoomOf(canvas);
     view.size = side;
     canvas.width = Math.round(side * pixelRatio);
     canvas.height = canvas.width;

@@ -21,6 +21,21 @@ export function parted(hash) {
 export const joined = (own, page) => (page && own ? `${own}${own.includes('?') ? '&' : '?'}${page}` : own);
 
 /**
+ * The same address in the folder in which a site keeps a version, `vX.Y.Z` beside the page.
+ *
+ * @param {string} address
+ * @param {string} version
+ */
+export function pinned(address, version) {
+  const url = new URL(address);
+  url.pathname = `${url.pathname.replace(/[^/]*$/, '').replace(/\/v\d+\.\d+\.\d+\/$/, '/')}v${version}/`;
+  return url.href;
+}
+
+/** What a notice offers about a link that another version made; nothing when it names none. @param {string} version @param {string} label */
+export const olderVersion = (version, label) => (/^\d{1,4}\.\d{1,4}\.\d{1,4}$/.test(version) ? [{ label, press: () => location.assign(pinned(location.href, version)) }] : []);
+
+/**
  * The names a key of `page` lists; empty when it is not there.
  *
  * @param {string} page

@@ -30,8 +30,10 @@ import { cases as sequenceRun } from './sequencerun.mjs';
 import { cases as sequenceEdit } from './sequenceedit.mjs';
 import { cases as sequenceAccess } from './sequenceaccess.mjs';
 import { cases as learn } from './learn.mjs';
+import { cases as learnAccess } from './learnaccess.mjs';
 import { cases as sharing } from './sharing.mjs';
 import { cases as embedding } from './embedding.mjs';
+import { cases as badLinks } from './badlinks.mjs';
 
 const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 const executable = findChromium();
@@ -39,7 +41,7 @@ if (!existsSync(`${dist}/index.html`)) fail('the page is not built: run make bui
 if (!executable) fail('no Chromium was found: install it or set CHROMIUM to its path');
 
 const words = process.argv.slice(2);
-const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun, studiesForm, studiesAccess, sequenceRun, sequenceEdit, sequenceAccess, learn, sharing, embedding]
+const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun, studiesForm, studiesAccess, sequenceRun, sequenceEdit, sequenceAccess, learn, learnAccess, sharing, embedding, badLinks]
   .flat()
   .filter(([name]) => words.length === 0 || words.some((word) => name.includes(word)));
 const server = await serve(dist, '/some/sub/path/');

@@ -1,13 +1,13 @@
 import '../style/share.css';
 import { hidable } from '../hiding.js';
-import { listed } from '../pagekeys.js';
+import { listed, pinned } from '../pagekeys.js';
 import { LONGEST_LINK } from '../pack.js';
 import { messageOf } from '../session.js';
 import { button, h, write } from '../ui/dom.js';
 import { copy, save } from '../ui/share.js';
 import { shareText as text } from '../ui/strings.share.en.js';
 import { text as page } from '../ui/strings.en.js';
-import { addressOf, embedding, frameCode, hiding, pinned } from './links.js';
+import { addressOf, embedding, frameCode, hiding } from './links.js';
 import { drawQr } from './qr.js';
 
 /** @import { Room, Shared } from '../router.js' */

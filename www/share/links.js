@@ -8,19 +8,6 @@ import { joined } from '../pagekeys.js';
  */
 export const addressOf = (hash, page) => new URL(joined(hash, page), location.href.replace(/#.*$/, '')).href;
 
-/**
- * The same address at the folder in which a site keeps this version, `vX.Y.Z` beside the page.
- *
- * @param {string} address
- * @param {string} version
- */
-export function pinned(address, version) {
-  const url = new URL(address);
-  const folder = url.pathname.replace(/[^/]*$/, '');
-  if (!/\/v\d+\.\d+\.\d+\/$/.test(folder)) url.pathname = `${folder}v${version}/`;
-  return url.href;
-}
-
 /** What the page's part of an address is when these parts are hidden. @param {string[]} names */
 export const hiding = (names) => (names.length > 0 ? `hide=${names.join(',')}` : '');
 

@@ -26,7 +26,7 @@ help:
 
 # The browser's address is printed last; the sources of the page are served, so an edit shows at once.
 play: check check-port .tools/bin/wasm-pack node_modules/.package-lock.json \
-  $(engine_folders:%=%/swarm_playground_bg.wasm) www/schema.json
+  $(engine_folders:%=%/swarm_playground_bg.wasm) www/schema.json www/landing.html
 	@node scripts/play.mjs
 
 test: check
@@ -59,13 +59,13 @@ workflow: check workflow-env
 	@.tools/workflow/bin/snakemake --snakefile workflow/Snakefile --cores $(CORES) --config study=$(STUDY) size=$(SIZE)
 
 clean:
-	rm -rf dist $(engine_folders) www/schema.json
+	rm -rf dist $(engine_folders) www/schema.json www/landing.html
 	cargo clean
 
 # Steps of the above, by name for scripts/test.mjs.
 tools: .tools/bin/wasm-pack
 packages: node_modules/.package-lock.json
-engine: $(engine_folders:%=%/.optimised) www/schema.json
+engine: $(engine_folders:%=%/.optimised) www/schema.json www/landing.html
 
 check:
 	@sh scripts/check.sh $(MAKECMDGOALS)
@@ -125,3 +125,8 @@ $(eval $(call engine_rules,soccer-page,www/soccer/engine,engine of robot soccer)
 # The first engine has no room for what is said of parameters; another one writes it down.
 www/schema.json: www/studies/engine/swarm_playground_bg.wasm scripts/schema.mjs
 	@node scripts/schema.mjs
+
+# What is seen before any script has run: a moment that the engine makes.
+www/landing.html: www/engine/swarm_playground_bg.wasm scripts/still.mjs www/opening.js www/ui/strings.landing.en.js \
+  www/draw/world.js www/draw/frame.js
+	@node scripts/still.mjs

@@ -1,3 +1,5 @@
+// @ts-expect-error the types of Node are not installed: nothing of the page may use it
+import { readFileSync } from 'node:fs';
 import { build, defineConfig } from 'vite';
 
 const POLICY = [
@@ -22,6 +24,12 @@ const contentPolicy = {
       injectTo: /** @type {const} */ ('head-prepend'),
     },
   ],
+};
+
+/** Puts the first picture, which scripts/still.mjs drew, into the page: it is seen before any script has run. */
+const landing = {
+  name: 'landing',
+  transformIndexHtml: (/** @type {string} */ html) => html.replace('<!-- landing -->', () => readFileSync('www/landing.html', 'utf8')),
 };
 
 /**
@@ -56,7 +64,7 @@ const rolldownOptions = { checks: { bundlerTimings: false } };
 
 export default defineConfig({
   base: './',
-  plugins: [contentPolicy, offline],
+  plugins: [contentPolicy, landing, offline],
   worker: { format: 'es', rolldownOptions },
   build: {
     target: 'es2022',

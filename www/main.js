@@ -4,6 +4,7 @@ import { createRouter } from './router.js';
 import { createForage } from './tabs/forage.js';
 import { button, find, h, write } from './ui/dom.js';
 import { createKeys } from './ui/keys.js';
+import { embedded } from './ui/storage.js';
 import { text } from './ui/strings.en.js';
 import { createThemeSwitch } from './ui/theme.js';
 
@@ -13,6 +14,7 @@ import { createThemeSwitch } from './ui/theme.js';
 const live = find('#live');
 const themes = createThemeSwitch();
 const nav = h('nav', { 'aria-label': text.tabs.label });
+const tools = h('div', { class: 'tools' });
 const keys = createKeys({
   keys: () => keys.open(),
   'tab-forage': () => void router.visit('forage'),
@@ -20,10 +22,12 @@ const keys = createKeys({
   'tab-studies': () => void router.visit('studies'),
   'tab-sequence': () => void router.visit('sequence'),
   'tab-soccer': () => void router.visit('soccer'),
+  'tab-learn': () => void router.visit('learn'),
 });
 const router = createRouter({
   nav,
   keys,
+  tools,
   places: [
     {
       name: 'forage',
@@ -57,6 +61,13 @@ const router = createRouter({
       load: async (parts) => (await import('./tabs/studies.js')).createStudies({ ...parts, element: find('#studies'), live }),
     },
     {
+      name: 'learn',
+      label: text.tabs.learn,
+      element: find('#learn'),
+      deep: true,
+      load: async (parts) => (await import('./tabs/learn.js')).createLearn({ ...parts, element: find('#learn'), live }),
+    },
+    {
       name: 'bench',
       label: text.tabs.bench,
       element: find('#bench'),
@@ -66,14 +77,15 @@ const router = createRouter({
   ],
 });
 
-find('#top').append(h('h1', {}, text.title), nav, h('div', { class: 'tools' }, themes.element, button(text.keys.open, () => keys.open(), { action: 'keys' })));
+tools.append(themes.element, button(text.keys.open, () => keys.open(), { action: 'keys' }), button(text.share, () => void share(), { action: 'share' }));
+find('#top').append(h('h1', {}, text.title), nav, tools);
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) router.pause();
 });
 window.addEventListener('unhandledrejection', (event) => {
   if (event.reason instanceof EngineError && event.reason.fatal) event.preventDefault(); // told by the tab whose engine it is
 });
-const embedded = /[?&]embed=1(&|$)/.test(location.hash); // as it was opened: the address changes with the run
+if (embedded) void import('./embed.js').then(({ createEmbed }) => createEmbed({ active: router.active }));
 void router.arrive(location.hash).then(keep);
 
 /** Keeps the page for visits without the network, once it stands; an embedded page keeps nothing. */
@@ -85,6 +97,12 @@ async function keep() {
   } catch {
     // the network has gone since: nothing is kept yet
   }
+}
+
+/** What can be given away of the open tab: links, a frame, a file, a citation. */
+async function share() {
+  const { openShare } = await import('./share/dialog.js');
+  await openShare(router.active());
 }
 
 /** Shows a tree in the workbench. @param {string} xml @param {string} title what it is, for people */

@@ -1,5 +1,6 @@
 import { text } from './ui/strings.en.js';
 import { fieldOf, readLink, writeLink } from './link.js';
+import { olderVersion } from './pagekeys.js';
 
 /** @import { Engine } from './engine.js' */
 /** @import { Run } from './run.js' */
@@ -7,6 +8,7 @@ import { fieldOf, readLink, writeLink } from './link.js';
 /** @import { State } from './state.js' */
 /** @import { Parameter, Scenario, Value } from './types.js' */
 /** @import { LinkParts } from './link.js' */
+/** @import { Say } from './ui/notices.js' */
 
 /** @typedef {{ name: string, title: string, about: string, json: string }} Preset */
 
@@ -25,7 +27,7 @@ const LONGEST_ADDRESS = 1_000_000;
  * The scenario on screen: the preset, what differs from it, and changes that wait for a restart.
  *
  * @param {{ engine: Engine, run: Run, state: State, address: Address, beside: Beside, schema: Parameter[], version: string, presets: Preset[],
- *   say: (message: string, kind?: 'note' | 'problem') => void }} parts
+ *   say: Say }} parts
  */
 export function createSession({ engine, run, state, address, beside, schema, version, presets, say }) {
   /** @type {(() => void)[]} */
@@ -139,13 +141,14 @@ export function createSession({ engine, run, state, address, beside, schema, ver
      * Opens a link as far as it can be read, runs to its tick and compares the fingerprint.
      *
      * @param {string} hash
+     * @param {boolean} [quiet] whether nothing is said of reaching the tick
      * @returns {Promise<boolean>} whether the world may start to move by itself
      */
-    open(hash) {
+    open(hash, quiet = false) {
       links += 1;
       const number = links;
       run.cancel(); // an earlier link need not reach its tick any more
-      const next = opening.then(() => openLink(hash, number));
+      const next = opening.then(() => openLink(hash, number, quiet));
       opening = next.catch(() => {});
       return next;
     },
@@ -166,21 +169,22 @@ export function createSession({ engine, run, state, address, beside, schema, ver
     },
   };
 
-  /** @param {string} hash @param {number} number of the link, to know whether a later one waits */
-  async function openLink(hash, number) {
+  /** @param {string} hash @param {number} number of the link, to know whether a later one waits @param {boolean} quiet */
+  async function openLink(hash, number, quiet) {
     const parts = await readLink(hash, schema, presets.map((preset) => preset.name));
-    if (parts.version && parts.version !== version) parts.problems.push(text.link.version(parts.version, version));
     const base = await completed(parts.preset);
     const scenario = await accepted(base, parts);
     const ready = await beside.open(parts, scenario);
     for (const problem of parts.problems) say(problem, 'problem');
+    if (parts.version && parts.version !== version) say(text.link.version(parts.version, version), 'problem', olderVersion(parts.version, text.link.older(parts.version)));
     const opened = await launch(scenario, { name: parts.preset, base });
     await ready(opened);
     if (!opened) return false;
     if (parts.tick === null) return true;
     if (number === links) await run.seek(parts.tick);
     if (number !== links) return false;
-    say(...verdict(parts));
+    const [said, kind] = verdict(parts);
+    if (!quiet || kind === 'problem') say(said, kind);
     const other = beside.verdict(parts);
     if (other) say(other, 'problem');
     return false;

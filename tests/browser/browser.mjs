@@ -20,7 +20,7 @@ export const launch = (executablePath) => chromium.launch({ executablePath, args
  *
  * @param {import('playwright-core').Browser} browser
  * @param {string} url
- * @param {string} [hash]
+ * @param {string} [hash] the opening scenario from tick 0 where nothing is said; a bare address is '#/'
  * @param {import('playwright-core').BrowserContextOptions} [options] motion is reduced unless asked for, so nothing moves by itself;
  *   without `serviceWorkers: 'allow'` the page keeps nothing for later visits
  */
@@ -37,7 +37,7 @@ export async function openPage(browser, url, hash = '', options = {}) {
   page.on('request', (request) => {
     if (!request.url().startsWith(url) && !/^(data|blob):/.test(request.url())) problems.push(`asked for ${request.url()}`);
   });
-  await page.goto(url + hash);
+  await page.goto(url + (hash || '#/forage?preset=foraging'));
   const opened = wrap(page, problems);
   await opened.until(() => document.body.dataset.state !== 'loading');
   return opened;

@@ -38,6 +38,11 @@ import { cases as offline } from './offline.mjs';
 import { cases as publishing } from './publishing.mjs';
 import { cases as measuring } from './measuring.mjs';
 import { cases as filming } from './filming.mjs';
+import { cases as learn } from './learn.mjs';
+import { cases as learnAccess } from './learnaccess.mjs';
+import { cases as sharing } from './sharing.mjs';
+import { cases as embedding } from './embedding.mjs';
+import { cases as badLinks } from './badlinks.mjs';
 
 const dist = fileURLToPath(new URL('../../dist', import.meta.url));
 const executable = findChromium();
@@ -45,7 +50,7 @@ if (!existsSync(`${dist}/index.html`)) fail('the page is not built: run make bui
 if (!executable) fail('no Chromium was found: install it or set CHROMIUM to its path');
 
 const words = process.argv.slice(2);
-const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun, studiesForm, studiesAccess, sequenceRun, sequenceEdit, sequenceAccess, soccerRun, soccerEdit, soccerBeside, soccerAccess, policy, offline, publishing, measuring, filming]
+const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun, studiesForm, studiesAccess, sequenceRun, sequenceEdit, sequenceAccess, soccerRun, soccerEdit, soccerBeside, soccerAccess, policy, offline, publishing, measuring, filming, learn, learnAccess, sharing, embedding, badLinks]
   .flat()
   .filter(([name]) => words.length === 0 || words.some((word) => name.includes(word)));
 const server = await serve(dist, '/some/sub/path/');

@@ -257,6 +257,8 @@ export function createBoard({ element, frame, state, planner, playback, session,
       settle();
       show();
     },
+    /** Letters of the game that was played last; null when none was. */
+    own: () => game.result()?.letters ?? null,
     pause() {
       compare?.hold();
       settle();

@@ -1,5 +1,6 @@
 import { EngineError } from '../engine.js';
 import { fieldOf } from '../link.js';
+import { olderVersion } from '../pagekeys.js';
 import { messageOf } from '../session.js';
 import { sequenceText } from '../ui/strings.sequence.en.js';
 import { text } from '../ui/strings.en.js';
@@ -10,6 +11,7 @@ import { readSequenceLink, writeSequenceLink } from './link.js';
 /** @import { Address } from '../router.js' */
 /** @import { Parameter, Value } from '../types.js' */
 /** @import { Preset } from './library.js' */
+/** @import { Say } from '../ui/notices.js' */
 /** @import { Planner } from './planner.js' */
 /** @import { Playback } from './playback.js' */
 /** @import { Path, Scenario } from './types.js' */
@@ -23,7 +25,7 @@ const UNLISTED = ['obstacles', 'obstacle-list', 'start-list'];
  * The scenario on screen, the plan made by hand if there is one, and everything that changes them.
  *
  * @param {{ engine: Pick<Engine, 'request'>, planner: Planner, playback: Playback, address: Address, schema: Parameter[], version: string,
- *   presets: Preset[], say: (message: string, kind?: 'note' | 'problem') => void }} parts
+ *   presets: Preset[], say: Say }} parts
  */
 export function createSequenceSession({ engine, planner, playback, address, schema, version, presets, say }) {
   /** @type {Record<'change' | 'path', (() => void)[]>} */
@@ -134,12 +136,12 @@ export function createSequenceSession({ engine, planner, playback, address, sche
     /** @param {string} hash */
     async openLink(hash) {
       const link = await readSequenceLink(hash, schema, presets.map(({ name }) => name));
-      if (link.version && link.version !== version) link.problems.push(text.link.version(link.version, version));
       const scenario = { ...(await completed(link.preset)) };
       for (const [key, value] of link.values) scenario[fieldOf(key)] = value;
       const opened = await take({ scenario, preset: link.preset, hand: link.plan }, sequenceText.refused, planner.task !== null);
       if (!opened && !planner.task) await take({ scenario: await completed(link.preset), preset: link.preset, hand: null }, sequenceText.refused, false);
       for (const problem of link.problems) say(problem, 'problem');
+      if (link.version && link.version !== version) say(text.link.version(link.version, version), 'problem', olderVersion(link.version, text.link.older(link.version)));
       playback.seek(link.step);
     },
 

@@ -1,10 +1,12 @@
 import { studiesText as text } from '../ui/strings.studies.en.js';
 import { text as page } from '../ui/strings.en.js';
+import { olderVersion } from '../pagekeys.js';
 import { messageOf } from '../session.js';
 import { at, changed, written } from './draft.js';
 import { readStudyLink, writeStudyLink, LIST } from './link.js';
 
 /** @import { Engine } from '../engine.js' */
+/** @import { Say } from '../ui/notices.js' */
 /** @import { Address } from '../router.js' */
 /** @import { Path } from './draft.js' */
 /** @import { StudyFile } from './library.js' */
@@ -22,7 +24,7 @@ const MOST_RUNS = 100_000; // more than a page can hold at once
  * itself: the last valid study stays what is run and reported.
  *
  * @param {{ desk: Engine, run: StudyRun, address: Address, files: StudyFile[], version: string, schema: Parameter[], metrics: MetricWords[],
- *   say: (message: string, kind?: 'note' | 'problem') => void }} parts
+ *   say: Say }} parts
  */
 export function createStudySession({ desk, run, address, files, version, schema, metrics, say }) {
   /** @type {(() => void)[]} */
@@ -114,8 +116,8 @@ export function createStudySession({ desk, run, address, files, version, schema,
     /** What a link says: the list, a study file, or a study in the link itself. @param {string} hash */
     async openLink(hash) {
       const link = await readStudyLink(hash, files.map(({ name }) => name));
-      if (link.version && link.version !== version) link.problems.push(page.link.version(link.version, version));
       for (const problem of link.problems) say(problem, 'problem');
+      if (link.version && link.version !== version) say(page.link.version(link.version, version), 'problem', olderVersion(link.version, page.link.older(link.version)));
       if (link.spec !== null) await open(null, link.spec, link.size, false);
       else if (link.name !== null) await open(link.name, files.find(({ name }) => name === link.name)?.json ?? '', link.size, false);
       else showList();

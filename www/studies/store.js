@@ -1,3 +1,5 @@
+import { embedded } from '../ui/storage.js';
+
 const NAME = 'swarm-playground.studies';
 const ROWS = 'rows';
 
@@ -26,6 +28,7 @@ export function createStore(tell) {
 
   /** @returns {Promise<IDBDatabase | null>} */
   function database() {
+    if (embedded) return Promise.resolve(null); // rows stay in memory
     opening ??= open().catch((error) => {
       lost(error);
       return null;

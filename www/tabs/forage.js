@@ -13,6 +13,7 @@ import { createFiles } from '../files/files.js';
 import { createFault } from '../views/fault.js';
 import { createFoot } from '../views/foot.js';
 import { createInspector } from '../views/inspector.js';
+import { createLanding, openingOf } from '../views/landing.js';
 import { createLegend } from '../views/legend.js';
 import { createTransport } from '../views/transport.js';
 import { createWorldView } from '../views/world.js';
@@ -39,6 +40,7 @@ export function createForage({ address, built, live, themes, openTree }) {
   const notices = createNotices(pane, live);
   const fault = createFault(pane, notices.say);
   const selection = createSelection();
+  const landing = createLanding();
   const spawn = () => new Worker(new URL('../worker.js', import.meta.url), { type: 'module' });
   const engine = createEngine(broke, spawn);
   /** Where the requests of the run go; in A | B to both engines. */
@@ -68,6 +70,8 @@ export function createForage({ address, built, live, themes, openTree }) {
   const actions = {};
   /** @type {Session | null} */
   let session = null;
+  let waiting = true; // whether the still is seen
+  let invalidate = () => {};
 
   pane.setAttribute('aria-label', text.world.region);
   onStorageBlocked(() => notices.say(text.notSaved));
@@ -78,14 +82,35 @@ export function createForage({ address, built, live, themes, openTree }) {
     const hello = await engine.request('hello');
     session = createSession({ engine, run, state, address, beside, schema: hello.schema, version: hello.version, presets: readPresets(), say: notices.say });
     build(session);
-    const mayMove = await session.open(hash);
-    if (mayMove && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
+    const opening = openingOf(hash);
+    if (!opening || landing.wished()) shown();
+    const mayMove = await session.open(landing.wished() ? opening.replace(/&t=.*/, '') : opening || hash, opening !== '');
+    shown();
+    if (landing.wished()) landing.now();
+    else if ((mayMove || opening) && !matchMedia('(prefers-reduced-motion: reduce)').matches) run.play();
+  }
+
+  /** From now on the live world is seen. */
+  function shown() {
+    if (!waiting) return;
+    waiting = false;
+    invalidate();
   }
 
   /** Puts the tab together. @param {Session} ready */
   function build(ready) {
     const { theme } = themes;
-    const world = createWorldView({ pane, run, state, selection, theme, drawn: () => (foot.drew(), compare?.drew()), rings: () => compare?.rings() ?? true });
+    const world = createWorldView({
+      pane,
+      run,
+      state,
+      selection,
+      theme,
+      drawn: () => (foot.drew(), compare?.drew()),
+      rings: () => compare?.rings() ?? true,
+      covered: () => waiting,
+    });
+    invalidate = world.invalidate;
     const lens = createLens(run, { request: engine.request, run, world: () => world, side: '' });
     const files = createFiles({ element: find('#forage'), engine: lens.engine, lens, run, session: ready, say: notices.say });
     createLegend({ pane, run, lens, state, selection, world });
@@ -118,6 +143,7 @@ export function createForage({ address, built, live, themes, openTree }) {
       say: notices.say,
     });
     themes.on(world.invalidate);
+    landing.ready({ ready, run, fastest: transport.fastest, charts: () => inspector.open('charts') });
     loadCompare = async () => {
       loading ??= import('../ab/compare.js').then(({ createCompare }) =>
         createCompare({
@@ -205,6 +231,21 @@ export function createForage({ address, built, live, themes, openTree }) {
     actions,
     regions: [pane, transportPane],
     pause: run.pause,
+    async share() {
+      if (!session) throw new Error(text.fault.noWasm);
+      await run.mark();
+      const { scenario, fingerprintTick, fingerprint } = run;
+      return {
+        hash: await session.link(),
+        title: String(scenario.title ?? session.preset),
+        version: session.version,
+        seed: scenario.seed,
+        tick: fingerprintTick,
+        fingerprint,
+        file: { name: `swarm-${session.preset}-seed${scenario.seed}.json`, text: JSON.stringify(scenario, null, 2) },
+        world: 'geese',
+      };
+    },
     open: createOpening({ state, broke, begin, again: async (hash) => (notices.clear(), session?.open(hash)) }),
   };
 }

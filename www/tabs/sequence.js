@@ -6,6 +6,7 @@ import { createBoard } from '../sequence/board.js';
 import { readPresets } from '../sequence/library.js';
 import { createSequenceSession } from '../sequence/session.js';
 import { createState } from '../state.js';
+import { text } from '../ui/strings.en.js';
 import { createNotices } from '../ui/notices.js';
 import { sequenceText } from '../ui/strings.sequence.en.js';
 import { createFault } from '../views/fault.js';
@@ -91,6 +92,21 @@ export function createSequence({ element, address, built, live, themes }) {
     state,
     actions,
     regions: [frame.pane, frame.transport],
+    async share() {
+      if (!session) throw new Error(text.fault.noWasm);
+      const { scenario, preset, version } = session;
+      return {
+        hash: await session.link(),
+        title: String(scenario.title ?? preset),
+        version,
+        seed: scenario.seed,
+        tick: playback.step,
+        fingerprint: '',
+        file: { name: `sequence-${preset}-seed${scenario.seed}.json`, text: JSON.stringify(scenario, null, 2) },
+        world: 'sequencing',
+        plan: board?.own() ?? session.hand,
+      };
+    },
     pause() {
       playback.pause();
       rested ||= planner.status === 'searching';

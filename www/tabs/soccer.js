@@ -7,6 +7,7 @@ import { createPlayback } from '../soccer/playback.js';
 import { createSoccerSession } from '../soccer/session.js';
 import { createState } from '../state.js';
 import { createNotices } from '../ui/notices.js';
+import { text } from '../ui/strings.en.js';
 import { soccerText } from '../ui/strings.soccer.en.js';
 import { createFault } from '../views/fault.js';
 import { createSoccerFrame } from '../views/soccer/frame.js';
@@ -82,6 +83,21 @@ export function createSoccer({ element, address, built, live, themes, openTree }
     state,
     actions,
     regions: [frame.pane, frame.transport],
+    async share() {
+      if (!session) throw new Error(text.fault.noWasm);
+      const { preset, version } = session;
+      const scenario = session.scenario();
+      return {
+        hash: await session.link(),
+        title: String(scenario.title ?? preset),
+        version,
+        seed: scenario.seed,
+        tick: playback.tick,
+        fingerprint: match.fingerprint,
+        file: { name: `soccer-${preset}-seed${scenario.seed}.json`, text: JSON.stringify(scenario, null, 2) },
+        world: 'soccer',
+      };
+    },
     pause() {
       playback.pause();
       match.hold();

@@ -3,10 +3,12 @@ import { createEngine } from '../engine.js';
 import { createState } from '../state.js';
 import { createCommitted } from '../studies/committed.js';
 import { readPresets, readStudies } from '../studies/library.js';
+import { LIST } from '../studies/link.js';
 import { createStudyRun } from '../studies/run.js';
 import { createStudySession } from '../studies/session.js';
 import { createSpeed } from '../studies/speed.js';
 import { createStore, keyOf } from '../studies/store.js';
+import { text } from '../ui/strings.en.js';
 import { createNotices } from '../ui/notices.js';
 import { studiesText } from '../ui/strings.studies.en.js';
 import { createFault } from '../views/fault.js';
@@ -141,6 +143,20 @@ export function createStudies({ element, address, built, live }) {
     state,
     actions,
     regions: [frame.results, frame.bar],
+    async share() {
+      if (!session) throw new Error(text.fault.noWasm);
+      const name = session.name ?? session.outline?.name ?? 'studies';
+      return {
+        hash: session.list ? LIST : await session.link(),
+        title: session.outline?.name ?? name,
+        version: session.version,
+        seed: null,
+        tick: null,
+        fingerprint: session.list ? '' : (run.plan?.hash ?? ''),
+        file: { name: `${name}.study.json`, text: session.list ? '' : session.text },
+        world: 'studies',
+      };
+    },
     // Workers go on while the browser shows another page; another tab of this page gets the processor.
     pause: () => void (document.hidden || run.pause()),
     open: createOpening({ state, broke, begin, again: async (hash) => (notices.clear(), session?.openLink(hash)) }),

@@ -3,6 +3,7 @@ import { createEngine } from '../engine.js';
 import { createState } from '../state.js';
 import { createTreeRun } from '../trees/run.js';
 import { createWorkbench } from '../trees/workbench.js';
+import { text } from '../ui/strings.en.js';
 import { createNotices } from '../ui/notices.js';
 import { createFault } from '../views/fault.js';
 import { createBenchFrame } from '../views/trees/frame.js';
@@ -74,6 +75,23 @@ export function createTrees({ element, address, built, live, playCoach }) {
     actions,
     regions,
     pause: run.pause,
+    async share() {
+      if (!workbench) throw new Error(text.fault.noWasm);
+      run.pause();
+      const { session } = workbench;
+      const { xml, ...rest } = session.setup();
+      const name = session.entry()?.name ?? 'tree';
+      return {
+        hash: await session.link(),
+        title: session.entry()?.title || session.rest().title || run.tree?.main || name,
+        version: session.version,
+        seed: null,
+        tick: run.tick,
+        fingerprint: session.stale ? '' : (run.moment?.fingerprint ?? ''),
+        file: { name: `${name}.json`, text: JSON.stringify({ version: session.version, xml, ...rest, length: run.length, at: run.tick }, null, 2) },
+        world: 'trees',
+      };
+    },
     open: createOpening({ state, broke, begin, again: async (hash) => (notices.clear(), workbench?.session.openLink(hash)) }),
     openTree: (xml, title) => void workbench?.session.openText(xml, title),
   };

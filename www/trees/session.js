@@ -2,6 +2,7 @@ import { redo, redoDepth, undo, undoDepth } from '@codemirror/commands';
 import { text } from '../ui/strings.en.js';
 import { benchText } from '../ui/strings.trees.en.js';
 import { EngineError } from '../engine.js';
+import { olderVersion } from '../pagekeys.js';
 import { messageOf } from '../session.js';
 import { createDrafts } from './drafts.js';
 import { readSetup, readTreeLink, writeTreeLink } from './link.js';
@@ -10,6 +11,7 @@ import { PLAIN, changeRest, replaceSetup, restChanged, restOf } from './setup.js
 
 /** @import { EditorView, ViewUpdate } from '@codemirror/view' */
 /** @import { Address } from '../router.js' */
+/** @import { Say } from '../ui/notices.js' */
 /** @import { Draft } from './drafts.js' */
 /** @import { Entry } from './library.js' */
 /** @import { TreeLink } from './link.js' */
@@ -27,7 +29,7 @@ const KEEPING_MS = 400;
  * and everything that follows from a change of them.
  *
  * @param {{ run: TreeRun, address: Address, version: string, library: Entry[], view: EditorView,
- *   say: (message: string, kind?: 'note' | 'problem') => void }} parts
+ *   say: Say }} parts
  */
 export function createTreeSession({ run, address, version, library, view, say }) {
   const drafts = createDrafts();
@@ -132,9 +134,9 @@ export function createTreeSession({ run, address, version, library, view, say })
     /** Opens a link as far as it can be read, runs to its tick and compares the fingerprint. @param {string} hash */
     async openLink(hash) {
       const link = await readTreeLink(hash, library);
-      if (link.version && link.version !== version) link.problems.push(text.link.version(link.version, version));
       await open(await fromLink(link), false);
       for (const problem of link.problems) say(problem, 'problem');
+      if (link.version && link.version !== version) say(text.link.version(link.version, version), 'problem', olderVersion(link.version, text.link.older(link.version)));
       if (link.tick !== null && run.moment) say(...verdict(link));
     },
 

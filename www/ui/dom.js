@@ -77,6 +77,9 @@ export function write(element, text) {
   if (element.textContent !== string) element.textContent = string;
 }
 
+/** Pixels on the page for one of an element's own: an embedded page is enlarged. @param {Element} element */
+export const zoomOf = (element) => element.currentCSSZoom || 1;
+
 /** @param {string} selector */
 export function find(selector) {
   const element = document.querySelector(selector);

@@ -30,6 +30,7 @@ export const KEYS = [
   { keys: ['3'], shown: '3', action: 'tab-soccer' },
   { keys: ['4'], shown: '4', action: 'tab-trees' },
   { keys: ['5'], shown: '5', action: 'tab-studies' },
+  { keys: ['6'], shown: '6', action: 'tab-learn' },
   { keys: ['?'], shown: '?', action: 'keys' },
   { keys: [], shown: text.keys.arrows, action: 'world-arrows', tab: 'forage' },
   { keys: [], shown: 'Home, End', action: 'world-ends', tab: 'forage' },

@@ -3,6 +3,8 @@ import { text } from './strings.en.js';
 
 const MOST = 5;
 
+/** @typedef {(message: string, kind?: 'note' | 'problem', offers?: { label: string, press: () => void }[]) => void} Say */
+
 /**
  * Lines that tell what happened, each until it is closed; also read out through the one polite live region.
  *

@@ -1,4 +1,6 @@
 const PREFIX = 'swarm-playground.';
+/** Whether the page stands inside another one, where it keeps nothing. */
+export const embedded = /[?&]embed=1(&|$)/.test(location.hash);
 let warned = false;
 /** @type {() => void} */
 let warn = () => {};
@@ -10,6 +12,7 @@ export function onStorageBlocked(tell) {
 
 /** @param {string} name @returns {string | null} null when there is nothing, or nothing may be read */
 export function recall(name) {
+  if (embedded) return null;
   try {
     return localStorage.getItem(PREFIX + name);
   } catch {
@@ -19,6 +22,7 @@ export function recall(name) {
 
 /** Keeps a text, or forgets it when null; everything works without. @param {string} name @param {string | null} value */
 export function remember(name, value) {
+  if (embedded) return;
   try {
     if (value === null) localStorage.removeItem(PREFIX + name);
     else localStorage.setItem(PREFIX + name, value);

@@ -3,14 +3,18 @@
 
 const plural = (/** @type {number} */ count, /** @type {string} */ one, /** @type {string} */ many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
 
+/** The beginning of what somebody else wrote. @param {string} text */
+const brief = (text, most = 60) => (text.length > most ? `${text.slice(0, most)}…` : text);
+
 /** Every text of the page, except labels and help of parameters, which come with the schema. */
 export const text = {
   title: 'Swarm playground',
   close: 'Close',
   dismiss: 'Dismiss',
+  share: 'Share',
   yes: 'yes',
   no: 'no',
-  tabs: { label: 'Tabs', forage: 'Forage', sequence: 'Sequence', soccer: 'Soccer', trees: 'Trees', studies: 'Studies', bench: 'Bench' },
+  tabs: { label: 'Tabs', forage: 'Forage', sequence: 'Sequence', soccer: 'Soccer', trees: 'Trees', studies: 'Studies', learn: 'Learn', bench: 'Bench' },
   documentTitle: (/** @type {string} */ tab) => `${tab} · Swarm playground`,
   tabMissing: (/** @type {string} */ tab) => `The tab ${tab} could not be loaded. Is the network there?`,
   theme: { label: 'Theme: ', system: 'system', light: 'light', dark: 'dark' },
@@ -119,16 +123,17 @@ export const text = {
   },
 
   link: {
-    route: (/** @type {string} */ path) => `The link asks for '${path}', which this version does not have; this is Forage.`,
+    route: (/** @type {string} */ path) => `The link asks for '${brief(path)}', which this version does not have; this is Forage.`,
     preset: (/** @type {string} */ found, /** @type {string[]} */ presets) => `found '${found}', expected one of ${presets.join(', ')}`,
     tick: (/** @type {string} */ found) => `found '${found}', expected a tick from 0 to 999999999`,
     fingerprint: (/** @type {string} */ found) => `found '${found}', expected 16 hexadecimal digits`,
-    unknown: (/** @type {string} */ key) => `The link holds '${key}', which this version does not know; everything else was applied.`,
-    bad: (/** @type {string} */ key, /** @type {string} */ why) => `The link's '${key}' was left out: ${why}.`,
+    unknown: (/** @type {string} */ key) => `The link holds '${brief(key)}', which this version does not know; everything else was applied.`,
+    bad: (/** @type {string} */ key, /** @type {string} */ why) => `The link's '${brief(key)}' was left out: ${brief(why, 300)}.`,
     packed: 'the packed text cannot be unpacked; a part of the link may be missing',
-    escape: (/** @type {string} */ found) => `'${found}' holds a broken percent sign`,
+    escape: (/** @type {string} */ found) => `'${brief(found)}' holds a broken percent sign`,
     events: 'expected a list of changes with tick, key and value',
-    version: (/** @type {string} */ made, /** @type {string} */ here) => `Made with ${made}, this is ${here}: results may differ.`,
+    version: (/** @type {string} */ made, /** @type {string} */ here) => `Made with ${brief(made, 20)}, this is ${here}: results may differ.`,
+    older: (/** @type {string} */ made) => `Open with ${made}`,
     reached: (/** @type {number} */ tick) => `The link's tick ${tick} is reached.`,
     matches: (/** @type {number} */ tick, /** @type {string} */ found) => `Tick ${tick} is reached and the fingerprint matches: ${found}.`,
     differs: (/** @type {number} */ tick, /** @type {string} */ expected, /** @type {string} */ found, /** @type {string} */ made, /** @type {string} */ here) =>
@@ -300,6 +305,7 @@ export const text = {
       'tab-soccer': 'the tab Soccer',
       'pitch-arrows': 'on the pitch: move what is chosen; with Shift by less',
       'pitch-turn': 'on the pitch: turn the robot that is chosen',
+      'tab-learn': 'the tab Learn',
       'map-arrows': 'on the map: move what is chosen',
       'map-pages': 'on the map or pitch: choose the next thing',
       keys: 'this list',

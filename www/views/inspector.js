@@ -158,5 +158,7 @@ export function createInspector({ pane, engine, run, state, selection, theme, on
       return standalone(tree.figure.svg, { title: text.tree.label, width, height, ground: theme().ground });
     },
     close: () => spread(false),
+    /** @param {string} name of a tab */
+    open: (name) => tabs.open(name),
   };
 }

@@ -1,5 +1,6 @@
 import { agentTowards, agentsNear } from '../draw/frame.js';
 import { markRadius, scaleOf } from '../draw/world.js';
+import { zoomOf } from '../ui/dom.js';
 
 /** @import { Seen } from '../lens.js' */
 /** @import { Selection } from '../selection.js' */
@@ -35,7 +36,7 @@ export function bindPicking({ view, canvas, ready, invalidate, zoomTo, aim }, ru
     if (!press.moved && Math.hypot(dx, dy) < DRAG_PIXELS) return;
     press = { x: event.clientX, y: event.clientY, moved: true };
     if (view.camera.zoom === 1 || selection.follow) return;
-    const scale = scaleOf(view);
+    const scale = scaleOf(view) * zoomOf(canvas);
     view.camera.x -= dx / scale;
     view.camera.y += dy / scale;
     invalidate();
@@ -87,8 +88,8 @@ export function bindPicking({ view, canvas, ready, invalidate, zoomTo, aim }, ru
     aim();
     const box = canvas.getBoundingClientRect();
     const scale = scaleOf(view);
-    const x = view.camera.x + (event.clientX - box.left - view.size / 2) / scale;
-    const y = view.camera.y - (event.clientY - box.top - view.size / 2) / scale;
+    const x = view.camera.x + ((event.clientX - box.left) / zoomOf(canvas) - view.size / 2) / scale;
+    const y = view.camera.y - ((event.clientY - box.top) / zoomOf(canvas) - view.size / 2) / scale;
     const reach = Math.max(markRadius(scale) + 2, event.pointerType === 'touch' ? 22 : 8) / scale;
     const under = agentsNear(run.frame, view.at, x, y, reach);
     if (under.length === 0) {

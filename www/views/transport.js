@@ -53,10 +53,7 @@ export function createTransport({ pane, run, state, session, say }) {
   const seedParameter = session.schema.find((parameter) => parameter.type === 'seed');
 
   speed.addEventListener('input', () => setSpeed(fromStep(Number(speed.value))));
-  max.addEventListener('change', () => {
-    pace.max = max.checked;
-    showSpeed();
-  });
+  max.addEventListener('change', () => setMax(max.checked));
   scrub.addEventListener('input', () => void run.seek(Number(scrub.value)).catch(() => {}));
   seed.addEventListener('change', () => void takeSeed());
   seedForm.addEventListener('submit', (event) => {
@@ -101,6 +98,13 @@ export function createTransport({ pane, run, state, session, say }) {
     showSpeed();
   }
 
+  /** @param {boolean} on as fast as it can */
+  function setMax(on) {
+    pace.max = on;
+    max.checked = on;
+    showSpeed();
+  }
+
   function showSpeed() {
     const shown = pace.max ? text.transport.maxSpeed : text.transport.ticksPerSecond(Math.round(pace.ticksPerSecond));
     write(speedShown, shown);
@@ -134,7 +138,7 @@ export function createTransport({ pane, run, state, session, say }) {
   });
   showSpeed();
 
-  return { newSeed, faster: () => setSpeed(pace.ticksPerSecond * 1.5), slower: () => setSpeed(pace.ticksPerSecond / 1.5) };
+  return { newSeed, faster: () => setSpeed(pace.ticksPerSecond * 1.5), slower: () => setSpeed(pace.ticksPerSecond / 1.5), fastest: () => setMax(true) };
 }
 
 /** @param {number} ticksPerSecond */

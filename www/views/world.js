@@ -1,4 +1,4 @@
-import { button, h, s, write } from '../ui/dom.js';
+import { button, h, s, write, zoomOf } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
 import { locate } from '../draw/frame.js';
 import { createTrail } from '../draw/trail.js';
@@ -29,10 +29,10 @@ const FOLLOW_ZOOM = 3;
  * The world: canvas for what moves, SVG over it for selection and names.
  *
  * @param {{ pane: HTMLElement, run: Seen & { on: (name: 'loaded' | 'frame', listener: () => void) => void }, state: State, selection: Selection,
- *   theme: () => Theme, drawn: () => void, rings?: () => boolean, beside?: Beside | null }} parts
- *   `drawn` is called after each drawing, `rings` says whether the chosen node is one of this world's trees
+ *   theme: () => Theme, drawn: () => void, rings?: () => boolean, covered?: () => boolean, beside?: Beside | null }} parts
+ *   `drawn` is called after each drawing, `covered` says whether the still is still to be seen, `rings` whether the chosen node is one of this world's trees
  */
-export function createWorldView({ pane, run, state, selection, theme, drawn, rings = () => true, beside = null }) {
+export function createWorldView({ pane, run, state, selection, theme, drawn, rings = () => true, covered = () => false, beside = null }) {
   const canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': text.world.label, 'aria-describedby': beside?.describedBy ?? 'summary', id: beside?.id ?? 'canvas' });
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
   const places = s('g', { class: 'place-names' });
@@ -47,10 +47,14 @@ export function createWorldView({ pane, run, state, selection, theme, drawn, rin
     button(text.world.zoomOut, () => zoomTo(view.camera.zoom / 1.5), { glyph: '−' }),
     button(text.world.zoomFit, () => fit(), { glyph: '⤢' }),
   );
-  const stage = h('div', { class: 'stage' }, canvas, overlay);
-  const lede = pane.querySelector('.lede') ?? '';
-  const head = h('div', { class: 'world-head' }, lede, tag, zoomBar);
-  pane.append(...(beside ? [stage] : [head, stage]));
+  // The page has head and stage before any script has run, with a still in it.
+  const still = beside ? null : pane.querySelector('#still');
+  const stage = beside ? h('div', { class: 'stage' }) : /** @type {HTMLElement} */ (pane.querySelector('.stage'));
+  const head = /** @type {HTMLElement} */ (pane.querySelector('.world-head'));
+  const lede = beside ? null : pane.querySelector('.lede');
+  stage.append(canvas, overlay);
+  if (beside) pane.append(stage);
+  else head.append(tag, zoomBar);
   if (lede) run.on('loaded', () => (lede.textContent = sentence(run.scenario)));
 
   /** @type {View | null} */
@@ -93,13 +97,14 @@ export function createWorldView({ pane, run, state, selection, theme, drawn, rin
   function draw() {
     asked = false;
     if (!ready || view.size === 0) return;
-    if (pixelRatio !== devicePixelRatio) resize();
+    if (pixelRatio !== devicePixelRatio * zoomOf(canvas)) resize();
     view.frame = run.frame;
     aim();
     canvas.classList.toggle('zoomed', view.camera.zoom > 1);
     context.setTransform(pixelRatio, 0, 0, pixelRatio, 0, 0);
     drawWorld(context, view, theme());
     placeOverlay();
+    if (still && !covered()) still.remove();
     drawn();
   }
 
@@ -150,7 +155,7 @@ export function createWorldView({ pane, run, state, selection, theme, drawn, rin
 
   function resize() {
     const side = Math.floor(Math.min(stage.clientWidth, stage.clientHeight));
-    pixelRatio = devicePixelRatio;
+    pixelRatio = devicePixelRatio * zoomOf(canvas);
     view.size = side;
     canvas.width = Math.round(side * pixelRatio);
     canvas.height = canvas.width;

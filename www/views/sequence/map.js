@@ -1,5 +1,5 @@
 import { drawCells, drawFan, drawFrontier, drawLetters, drawMap, drawPlan, drawSwarm, strengthOf } from '../../draw/sequence.js';
-import { h, s } from '../../ui/dom.js';
+import { h, s, zoomOf } from '../../ui/dom.js';
 
 /** @import { PlanTheme, Scene } from '../../draw/sequence.js' */
 /** @import { Path, Ray, Task } from '../../sequence/types.js' */
@@ -56,7 +56,7 @@ export function createMap({ label, scene, frontier, fan, theme, drawn = () => {}
   function draw() {
     asked = false;
     const now = scene();
-    if (pixelRatio !== devicePixelRatio) resize();
+    if (pixelRatio !== devicePixelRatio * zoomOf(canvas)) resize();
     if (!now || size === 0) return;
     const whole = { ...now, size };
     const colours = theme();
@@ -137,7 +137,7 @@ export function createMap({ label, scene, frontier, fan, theme, drawn = () => {}
 
   function resize() {
     size = Math.floor(Math.min(stage.clientWidth, stage.clientHeight));
-    pixelRatio = devicePixelRatio;
+    pixelRatio = devicePixelRatio * zoomOf(canvas);
     for (const each of [canvas, still.canvas, ghosts.canvas]) {
       each.width = Math.round(size * pixelRatio);
       each.height = each.width;

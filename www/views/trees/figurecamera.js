@@ -1,3 +1,5 @@
+import { zoomOf } from '../../ui/dom.js';
+
 /** @import { Spot } from '../../draw/benchlayout.js' */
 
 const CLOSEST = 2.5;
@@ -62,7 +64,8 @@ export function createCamera(stage, drawing, moved) {
   /** @param {{ clientX: number, clientY: number }} event */
   function local({ clientX, clientY }) {
     const { left, top } = stage.getBoundingClientRect();
-    return { x: clientX - left, y: clientY - top };
+    const zoom = zoomOf(stage);
+    return { x: (clientX - left) / zoom, y: (clientY - top) / zoom };
   }
 
   stage.addEventListener(

@@ -1,7 +1,7 @@
 import '../../style/trees/timeline.css';
 import { createCells, createFitting, readColours } from '../../draw/benchcells.js';
 import { HEAD, drawGrid, indentOf, ticksSeen } from '../../draw/benchgrid.js';
-import { h, write } from '../../ui/dom.js';
+import { h, write, zoomOf } from '../../ui/dom.js';
 import { figureText as text } from '../../ui/strings.figures.en.js';
 
 /** @import { GridFrame, GridRow, MarkKind } from '../../draw/benchgrid.js' */
@@ -120,7 +120,7 @@ export function createTickGrid({ letter, differs = () => false, describe, press,
   /** The row and tick under the pointer; null for names, numbers and what is outside. @param {MouseEvent} event */
   function under(event) {
     const box = canvas.getBoundingClientRect();
-    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top].map((place) => place / zoomOf(canvas));
     const row = y < HEAD ? null : (frame.rows[Math.floor((y - HEAD + frame.top) / side)] ?? null);
     const tick = Math.floor((x - frame.labels + frame.left) / side) + 1;
     return { row: row?.heading ? null : row, tick: x < frame.labels || tick > frame.length ? null : tick, head: y < HEAD };

@@ -1,0 +1,25 @@
+/** Texts of what links can hide. */
+export const hidingText = {
+  showAll: 'Show all',
+  unreadable: (/** @type {string} */ names) => `The link hides what has no name here: ${names}.`,
+  tab: (/** @type {string} */ name) => `Tab ${name}`,
+  parts: /** @type {Record<string, string>} */ ({
+    controls: 'All controls',
+    preset: 'Preset',
+    inspector: 'Inspector',
+    words: 'Sentence over the world',
+    zoom: 'Zoom',
+    compare: 'A | B',
+    tools: 'Tools of the drawing',
+    ribbon: 'Plan as a ribbon',
+    timeline: 'Timeline',
+    legend: 'Layers and table',
+    transport: 'Transport bar',
+    play: 'Play and steps',
+    scrub: 'Time',
+    speed: 'Speed',
+    ticks: 'What a tick is',
+    seed: 'Seed',
+    foot: 'Footer',
+  }),
+};

@@ -57,7 +57,7 @@ def main(arguments):
         try:
             getattr(checks, name)()
             print(f"ok {name}")
-        except AssertionError as error:
+        except (AssertionError, OSError, subprocess.SubprocessError) as error:
             failed += 1
             print(f"FAIL {name}: {error}")
     print(f"{3 - failed} passed, {failed} failed")

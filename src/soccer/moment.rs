@@ -57,9 +57,8 @@ impl World {
                 .map(|spot| [spot.at[0], spot.at[1], spot.heading].map(millionths))
         };
         let Ball { at, velocity } = arrangement.ball;
-        serde_json::json!({
-            "ball": [at[0], at[1], velocity[0], velocity[1]].map(millionths), "blue": spots(Colour::Blue), "yellow": spots(Colour::Yellow),
-        })
+        let ball = [at[0], at[1], velocity[0], velocity[1]].map(millionths);
+        serde_json::json!({"ball": ball, "blue": spots(Colour::Blue), "yellow": spots(Colour::Yellow)})
     }
 }
 

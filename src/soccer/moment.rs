@@ -58,7 +58,7 @@ impl World {
         };
         let Ball { at, velocity } = arrangement.ball;
         let ball = [at[0], at[1], velocity[0], velocity[1]].map(millionths);
-        serde_json::json!({ "ball": ball, "blue": spots(Colour::Blue), "yellow": spots(Colour::Yellow) })
+        serde_json::json!({"ball": ball, "blue": spots(Colour::Blue), "yellow": spots(Colour::Yellow)})
     }
 }
 

@@ -32,6 +32,7 @@ const PARTS = [
   { name: 'seed', within: 'transport', selector: '.transport .seed' },
   { name: 'foot', within: '', selector: '.foot' },
 ];
+const NONE = 'none'; // in `ui`: the world alone
 const NAME = /^[a-z][a-z0-9.-]{0,60}$/;
 
 /**
@@ -105,7 +106,7 @@ function hiddenBy(room, page) {
   /** @type {string[]} */
   const selectors = [];
   if (ui.length > 0) {
-    const wanted = ui.filter((name) => NAME.test(name));
+    const wanted = ui.filter((name) => NAME.test(name) && name !== NONE);
     const keys = wanted.filter((name) => name.includes('.'));
     const tabs = wanted.filter((name) => !name.includes('.') && !PARTS.some((part) => part.name === name));
     const holds = (/** @type {string} */ part) => PARTS.some(({ name, within }) => within === part && wanted.includes(name));

@@ -96,9 +96,9 @@ export const cases = [
     },
   ],
   [
-    'a_plan_played_by_hand_solves_lesson_9_and_stands_beside_the_planners',
+    'a_plan_played_by_hand_solves_lesson_10_and_stands_beside_the_planners',
     async (open) => {
-      const opened = await open('#/learn/9');
+      const opened = await open('#/learn/10');
       const { page, until } = opened;
       await stands(opened);
       await page.locator('#learn-ask').click();

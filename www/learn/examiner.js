@@ -133,6 +133,18 @@ export function createExaminer(progress) {
         }
         return Object.entries(check.options).map(([option, { from, to }]) => ({ option, number, of: orders.length, right: number >= from && number <= to }));
       }
+      case 'wins': {
+        const rows = await each(check.options, async (option, [first, second]) => {
+          let number = 0;
+          for (let seed = 1; seed <= check.seeds; seed += 1) {
+            const mine = await measured(job(check.preset, seed, check.tick, check.values, first), check.measure);
+            if (mine > (await measured(job(check.preset, seed, check.tick, check.values, second), check.measure))) number += 1;
+          }
+          return { option, number, of: check.seeds };
+        });
+        const most = Math.max(...rows.map(({ number }) => number));
+        return rows.map((row) => ({ ...row, right: row.number === most }));
+      }
       case 'goal': {
         const { file } = await screen();
         const number = await measured({ scenario: file.text, tick: check.tick }, check.measure);

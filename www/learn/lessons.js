@@ -14,6 +14,7 @@ import { learnText } from '../ui/strings.learn.en.js';
  * @property {string} [xml] a tree of the lesson's own
  * @property {unknown[]} [script]
  * @property {number} [length]
+ * @property {number[]} [depths] that the words speak of
  *
  * @typedef {object} Fact a number in the words; `tests/lessons.rs` says how each is checked
  * @property {number} value
@@ -31,9 +32,11 @@ import { learnText } from '../ui/strings.learn.en.js';
  *   right is the option whose leaf returned that letter in the tick
  * @typedef {{ kind: 'orders', preset: string, seed: number, letters: string, options: Record<string, Range> }} OrdersCheck
  *   right is the option whose range holds the number of orders of these behaviours that reach the goal without a collision
+ * @typedef {{ kind: 'wins', preset: string, seeds: number, tick: number, measure: Measure, values: Values, options: Record<string, [Values, Values]> }} WinsCheck
+ *   right is the pair whose first is ahead of its second in most seeds, from 1 on
  * @typedef {{ kind: 'goal', tick: number, measure: Measure, least: number }} GoalCheck right when the world on screen measures so much
  * @typedef {{ kind: 'plan' }} PlanCheck right when the visitor's own plan reaches the goal
- * @typedef {RunsCheck | NumberCheck | TwinsCheck | DeriveCheck | TreeCheck | OrdersCheck | GoalCheck | PlanCheck} Check
+ * @typedef {RunsCheck | NumberCheck | TwinsCheck | DeriveCheck | TreeCheck | OrdersCheck | WinsCheck | GoalCheck | PlanCheck} Check
  * @typedef {'delivered' | 'knowing'} Measure
  *
  * @typedef {object} Lesson
@@ -83,5 +86,5 @@ export function worldHash({ world, show }) {
   if (seed !== undefined) parts.push(`seed=${seed}`);
   if (tab !== 'studies') for (const [field, value] of Object.entries(values)) parts.push(`${PREFIX[tab]}${field}=${written(value)}`);
   if (tick) parts.push(`t=${tick}`);
-  return `${path}?${parts.join('&')}&ui=${show.join(',')}`;
+  return `${path}?${parts.join('&')}&ui=${show.join(',') || 'none'}`;
 }

@@ -37,7 +37,7 @@ export function createLearn({ element, address, beside, built, live }) {
     restart: () => void (open && show(open)),
     controls() {
       full = !full;
-      void beside.furnish(full || !open ? '' : `ui=${open.show.join(',')}`);
+      void beside.furnish(full || !open ? '' : `ui=${open.show.join(',') || 'none'}`);
       view.controls(full);
     },
   });

@@ -56,6 +56,7 @@ export const learnText = {
       delivered: (/** @type {number} */ count) => `${count} brought home`,
       knowing: (/** @type {number} */ count) => `${count} know`,
     },
+    wins: (/** @type {number} */ count, /** @type {number} */ seeds) => `ahead in ${count} of ${seeds} seeds`,
     /** @param {number} count @param {number} all */
     orders: (count, all) => `${count} of ${all}`,
     happened: 'this happens',
@@ -167,6 +168,20 @@ export const learnText = {
       ],
       ask: 'How many of these orders bring everybody into the circle?',
       options: { one: 'Only this one', half: 'About half of them', most: 'Almost all of them' },
+    }),
+    'real-difference': (n) => ({
+      title: 'Is the difference real?',
+      body: [
+        'Two settings, one run of each: one brings home more. Is it better, or only lucky? One run cannot say.',
+        `So both are run with the same seeds, many times. Here is such a study: a dot is the share of the runs that succeed, and its line shows how far luck may have moved it. With trees of depth ${n.ten}, ${n.good} of ${n.runs} runs succeed; with depth ${n.eleven}, ${n.bad}.`,
+        'Where the lines do not overlap, luck alone is a poor explanation.',
+      ],
+      ask: `In each of these pairs, the first brought home more in its first run. Who is ahead in most of ${n.seeds} seeds?`,
+      options: {
+        walk: `Turning a little at each step, against turning anyhow: ${n.walkA} to ${n.walkB}`,
+        order: `Acting always in the same order, against a new order each step: ${n.orderA} to ${n.orderB}`,
+        fewer: `${n.fewer} robots, against ${n.all}: ${n.fewerA} to ${n.fewerB}`,
+      },
     }),
     'seventy-five': (n) => ({
       title: `Why did the paper get ${n.paper} %?`,

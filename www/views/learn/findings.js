@@ -68,6 +68,8 @@ function foundText({ check }, { number, of, right, letters, goal, collided, prog
     case 'number':
     case 'goal':
       return table.measure[check.measure](number ?? 0);
+    case 'wins':
+      return table.wins(number ?? 0, of ?? 0);
     case 'orders':
       return table.orders(number ?? 0, of ?? 0);
     case 'twins':

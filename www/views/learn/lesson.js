@@ -107,6 +107,7 @@ export function createLesson({ lessons, live, examine, solved, restart, controls
       skip.href = lesson.number < lessons.length ? `#/learn/${lesson.number + 1}` : '#/learn';
       write(skip, nextText(false));
       element.scrollTop = 0;
+      scrollTo(0, 0);
       title.focus({ preventScroll: true });
     },
 

@@ -32,6 +32,7 @@ const PARTS = [
   { name: 'seed', within: 'transport', selector: '.transport .seed' },
   { name: 'foot', within: '', selector: '.foot' },
 ];
+const LONGEST = 60; // of what is repeated of a link
 const NONE = 'none'; // in `ui`: the world alone
 const NAME = /^[a-z][a-z0-9.-]{0,60}$/;
 
@@ -71,14 +72,17 @@ export function createHiding({ tools, active }) {
       element.dataset.without = hidden.names.join(' ');
       sheet.replaceSync([...rules.values()].join('\n'));
       ways.set(name, showAll);
-      note.textContent = hidden.unreadable.length > 0 ? hidingText.unreadable(hidden.unreadable.join(', ')) : '';
-      show();
       this.settle(room);
     },
 
     /** Opens what an address asks for: the groups of its controls, and where the open tab of an inspector is hidden, the first visible one. @param {Room} room */
-    settle({ element, page }) {
+    settle(room) {
+      const { element, page } = room;
       show();
+      const known = hidable(room).map(({ name }) => name);
+      const built = known.some((name) => name.includes('.') || name === 'play');
+      const unknown = listed(page, 'hide').filter((name) => !NAME.test(name) || (built && !known.includes(name)));
+      note.textContent = unknown.length > 0 ? hidingText.unknown(unknown.join(', ').slice(0, LONGEST)) : '';
       for (const key of listed(page, 'ui')) {
         const control = NAME.test(key) ? element.querySelector(`[data-key="${key}"]`) : null;
         control?.closest('details')?.setAttribute('open', '');
@@ -97,11 +101,10 @@ export function createHiding({ tools, active }) {
  *
  * @param {string} room
  * @param {string} page
- * @returns {{ selectors: string[], names: string[], unreadable: string[] }} `names` of the parts that are hidden as a whole
+ * @returns {{ selectors: string[], names: string[] }} `names` of the parts that are hidden as a whole
  */
 function hiddenBy(room, page) {
   const [hide, ui] = [listed(page, 'hide'), listed(page, 'ui')];
-  const unreadable = [...hide, ...ui].filter((name) => !NAME.test(name));
   const names = new Set(hide.filter((name) => NAME.test(name)));
   /** @type {string[]} */
   const selectors = [];
@@ -118,7 +121,7 @@ function hiddenBy(room, page) {
     if (!wanted.includes('inspector')) for (const kind of ['tab', 'panel']) selectors.push(`.inspector-pane [role=${kind === 'tab' ? 'tab' : 'tabpanel'}]${tabs.map((tab) => `:not(#${kind}-${esc(tab)}, #${kind}-${room}-${esc(tab)})`).join('')}`);
   }
   for (const name of names) selectors.push(PARTS.find((part) => part.name === name)?.selector ?? selectorOf(room, name));
-  return { selectors, names: [...names].filter((name) => PARTS.some((part) => part.name === name)), unreadable };
+  return { selectors, names: [...names].filter((name) => PARTS.some((part) => part.name === name)) };
 }
 
 /** A control by its key, or a tab of the inspector by its name. @param {string} room @param {string} name */

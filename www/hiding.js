@@ -117,11 +117,24 @@ function hiddenBy(room, page) {
       const filled = holds(name) || (name === 'controls' && keys.length > 0) || (name === 'inspector' && tabs.length > 0);
       if (!wanted.includes(name) && !wanted.includes(within) && !filled) names.add(name);
     }
-    if (!wanted.includes('controls')) selectors.push(`[data-key]${keys.map((key) => `:not([data-key="${key}"])`).join('')}`, `.group:not(:has(${keys.map((key) => `[data-key="${key}"]`).join(', ') || ':not(*)'}))`);
-    if (!wanted.includes('inspector')) for (const kind of ['tab', 'panel']) selectors.push(`.inspector-pane [role=${kind === 'tab' ? 'tab' : 'tabpanel'}]${tabs.map((tab) => `:not(#${kind}-${esc(tab)}, #${kind}-${room}-${esc(tab)})`).join('')}`);
+    if (!wanted.includes('controls')) selectors.push(...otherControls(keys));
+    if (!wanted.includes('inspector')) selectors.push(...otherTabs(room, tabs));
   }
   for (const name of names) selectors.push(PARTS.find((part) => part.name === name)?.selector ?? selectorOf(room, name));
   return { selectors, names: [...names].filter((name) => PARTS.some((part) => part.name === name)) };
+}
+
+/** Every control but these, and the groups that hold none of them. @param {string[]} keys */
+function otherControls(keys) {
+  const kept = keys.map((key) => `[data-key="${key}"]`);
+  const holds = kept.length > 0 ? kept.join(', ') : ':not(*)';
+  return [`[data-key]:not(${holds})`, `.group:not(:has(${holds}))`];
+}
+
+/** Every tab of the inspector but these, and its panel. @param {string} room @param {string[]} tabs */
+function otherTabs(room, tabs) {
+  const rest = (/** @type {string} */ kind) => tabs.map((tab) => `:not(#${kind}-${esc(tab)}, #${kind}-${room}-${esc(tab)})`).join('');
+  return [`.inspector-pane [role=tab]${rest('tab')}`, `.inspector-pane [role=tabpanel]${rest('panel')}`];
 }
 
 /** A control by its key, or a tab of the inspector by its name. @param {string} room @param {string} name */

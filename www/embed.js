@@ -1,4 +1,5 @@
 import './style/embed.css';
+import { listed, parted } from './pagekeys.js';
 
 /** @import { Room } from './router.js' */
 
@@ -20,6 +21,11 @@ export function createEmbed({ active }) {
   }
   addEventListener('resize', fit);
   fit();
+
+  // Nothing is asked for later: what the frame may open is loaded now.
+  const named = listed(parted(location.hash).page, 'ui');
+  if (named.includes('charts')) void import('./views/charts.js');
+  if (named.includes('compare')) void import('./ab/compare.js');
 
   let inside = false;
   addEventListener('pointerdown', () => (inside = true), { capture: true });

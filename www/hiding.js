@@ -32,6 +32,7 @@ const PARTS = [
   { name: 'seed', within: 'transport', selector: '.transport .seed' },
   { name: 'foot', within: '', selector: '.foot' },
 ];
+const LONGEST = 60; // of what is repeated of a link
 const NONE = 'none'; // in `ui`: the world alone
 const NAME = /^[a-z][a-z0-9.-]{0,60}$/;
 
@@ -71,14 +72,17 @@ export function createHiding({ tools, active }) {
       element.dataset.without = hidden.names.join(' ');
       sheet.replaceSync([...rules.values()].join('\n'));
       ways.set(name, showAll);
-      note.textContent = hidden.unreadable.length > 0 ? hidingText.unreadable(hidden.unreadable.join(', ')) : '';
-      show();
       this.settle(room);
     },
 
     /** Opens what an address asks for: the groups of its controls, and where the open tab of an inspector is hidden, the first visible one. @param {Room} room */
-    settle({ element, page }) {
+    settle(room) {
+      const { element, page } = room;
       show();
+      const known = hidable(room).map(({ name }) => name);
+      const built = known.some((name) => name.includes('.') || name === 'play');
+      const unknown = listed(page, 'hide').filter((name) => !NAME.test(name) || (built && !known.includes(name)));
+      note.textContent = unknown.length > 0 ? hidingText.unknown(unknown.join(', ').slice(0, LONGEST)) : '';
       for (const key of listed(page, 'ui')) {
         const control = NAME.test(key) ? element.querySelector(`[data-key="${key}"]`) : null;
         control?.closest('details')?.setAttribute('open', '');
@@ -97,11 +101,10 @@ export function createHiding({ tools, active }) {
  *
  * @param {string} room
  * @param {string} page
- * @returns {{ selectors: string[], names: string[], unreadable: string[] }} `names` of the parts that are hidden as a whole
+ * @returns {{ selectors: string[], names: string[] }} `names` of the parts that are hidden as a whole
  */
 function hiddenBy(room, page) {
   const [hide, ui] = [listed(page, 'hide'), listed(page, 'ui')];
-  const unreadable = [...hide, ...ui].filter((name) => !NAME.test(name));
   const names = new Set(hide.filter((name) => NAME.test(name)));
   /** @type {string[]} */
   const selectors = [];
@@ -114,11 +117,24 @@ function hiddenBy(room, page) {
       const filled = holds(name) || (name === 'controls' && keys.length > 0) || (name === 'inspector' && tabs.length > 0);
       if (!wanted.includes(name) && !wanted.includes(within) && !filled) names.add(name);
     }
-    if (!wanted.includes('controls')) selectors.push(`[data-key]${keys.map((key) => `:not([data-key="${key}"])`).join('')}`, `.group:not(:has(${keys.map((key) => `[data-key="${key}"]`).join(', ') || ':not(*)'}))`);
-    if (!wanted.includes('inspector')) for (const kind of ['tab', 'panel']) selectors.push(`.inspector-pane [role=${kind === 'tab' ? 'tab' : 'tabpanel'}]${tabs.map((tab) => `:not(#${kind}-${esc(tab)}, #${kind}-${room}-${esc(tab)})`).join('')}`);
+    if (!wanted.includes('controls')) selectors.push(...otherControls(keys));
+    if (!wanted.includes('inspector')) selectors.push(...otherTabs(room, tabs));
   }
   for (const name of names) selectors.push(PARTS.find((part) => part.name === name)?.selector ?? selectorOf(room, name));
-  return { selectors, names: [...names].filter((name) => PARTS.some((part) => part.name === name)), unreadable };
+  return { selectors, names: [...names].filter((name) => PARTS.some((part) => part.name === name)) };
+}
+
+/** Every control but these, and the groups that hold none of them. @param {string[]} keys */
+function otherControls(keys) {
+  const kept = keys.map((key) => `[data-key="${key}"]`);
+  const holds = kept.length > 0 ? kept.join(', ') : ':not(*)';
+  return [`[data-key]:not(${holds})`, `.group:not(:has(${holds}))`];
+}
+
+/** Every tab of the inspector but these, and its panel. @param {string} room @param {string[]} tabs */
+function otherTabs(room, tabs) {
+  const rest = (/** @type {string} */ kind) => tabs.map((tab) => `:not(#${kind}-${esc(tab)}, #${kind}-${room}-${esc(tab)})`).join('');
+  return [`.inspector-pane [role=tab]${rest('tab')}`, `.inspector-pane [role=tabpanel]${rest('panel')}`];
 }
 
 /** A control by its key, or a tab of the inspector by its name. @param {string} room @param {string} name */

@@ -58,7 +58,9 @@ export function createLearn({ element, address, beside, built, live }) {
     full = false;
     view.show(lesson);
     view.controls(false);
-    guest = await beside.open(lesson.world.tab, worldHash(lesson));
+    guest = null;
+    const tab = await beside.open(lesson.world.tab, worldHash(lesson));
+    if (open === lesson) guest = tab; // else another lesson was opened meanwhile
   }
 
   state.to('paused');

@@ -1,7 +1,7 @@
 /** Texts of what links can hide. */
 export const hidingText = {
   showAll: 'Show all',
-  unreadable: (/** @type {string} */ names) => `The link hides what has no name here: ${names}.`,
+  unknown: (/** @type {string} */ names) => `The link hides what this tab does not have: ${names}`,
   tab: (/** @type {string} */ name) => `Tab ${name}`,
   parts: /** @type {Record<string, string>} */ ({
     controls: 'All controls',

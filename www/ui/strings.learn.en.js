@@ -1,6 +1,6 @@
 /** @import { Check, Words } from '../learn/lessons.js' */
 
-const percent = (/** @type {number} */ value) => `${Math.round(value)} %`;
+const percent = (/** @type {number} */ value) => `${Math.round(value)}\u00a0%`;
 const metres = (/** @type {number} */ length) => `${length.toFixed(1)} m`;
 
 /** The same numbers by name; those that a lesson's file holds. @typedef {Record<string, number>} Facts */
@@ -184,9 +184,9 @@ export const learnText = {
       },
     }),
     'seventy-five': (n) => ({
-      title: `Why did the paper get ${n.paper} %?`,
+      title: `Why did the paper get ${percent(n.paper)}?`,
       body: [
-        `A paper reports that such a swarm succeeds in ${n.paper} % of its runs. Its text, taken word by word, gives ${percent(n.literal)} here, in ${n.runs} runs. With four small changes it gives ${percent(n.robust)}; with trees one level deeper than that, ${n.deeper} of ${n.runs} runs succeed.`,
+        `A paper reports that such a swarm succeeds in ${percent(n.paper)} of its runs. Its text, taken word by word, gives ${percent(n.literal)} here, in ${n.runs} runs. With four small changes it gives ${percent(n.robust)}; with trees one level deeper than that, ${n.deeper} of ${n.runs} runs succeed.`,
         `Press Play: nothing comes home. Of the robots, ${percent(n.inert)} start with a tree that can never act at all.`,
         'No paper says everything. What one left open, somebody had to decide. So every such decision is a switch here.',
       ],
@@ -194,7 +194,7 @@ export const learnText = {
       options: {
         walk: 'Robots turn a little at each step, instead of anyhow',
         drop: 'Food may be dropped at the hub only',
-        swap: 'Robots always take up the best child, not only a better one',
+        swap: 'Robots always take up the most diverse child, not only a better one',
       },
     }),
     'beat-the-planner': (n) => ({

@@ -9,6 +9,7 @@ export const landingText = {
   links: [
     ['#/learn', 'learn it in lessons'],
     ['#/sequence', 'plan for a swarm'],
+    ['#/soccer', 'coach a match'],
     ['#/trees', 'build a tree'],
     ['#/studies', 'repeat the papers'],
   ],

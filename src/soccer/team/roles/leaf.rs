@@ -215,7 +215,7 @@ impl What {
             ],
             Self::SecondStriker | Self::Spin | Self::DriveAtBall => &[],
             Self::RunAtGoal => &[("release", 0.37, RELEASE)],
-            Self::KickPenalty => &[("release", 0.42, RELEASE)],
+            Self::KickPenalty => &[("release", 0.39, RELEASE)],
             Self::ReturnToLine => {
                 &[("x", -0.69, "the line, metres"), ("reach", 0.20, "how far the line goes to both sides, metres")]
             }

@@ -70,14 +70,14 @@ fn measured(recipe: &Value, measure: &str) -> f64 {
     }
 }
 
-/// A column of committed results: mean, sum or number of the runs of one cell.
+/// A column of committed results: mean, sum or number of the runs of one cell, or of all where none is named.
 fn committed(fact: &Value) -> f64 {
     let rows = read(text(fact, "results"));
     let mut lines = csv_lines(&rows);
     let header = lines.next().expect("a header");
     let column = header.iter().position(|name| name == text(fact, "metric")).expect("the metric is a column");
     let values: Vec<f64> = lines
-        .filter(|line| line[1] == text(fact, "cell"))
+        .filter(|line| fact["cell"].is_null() || line[1] == text(fact, "cell"))
         .map(|line| line[column].parse().unwrap_or_else(|_| panic!("a number, found {}", line[column])))
         .collect();
     assert!(!values.is_empty(), "no run of {fact}");

@@ -14,7 +14,6 @@ import { learnText } from '../ui/strings.learn.en.js';
  * @property {string} [xml] a tree of the lesson's own
  * @property {unknown[]} [script]
  * @property {number} [length]
- * @property {number[]} [depths] that the words speak of
  *
  * @typedef {object} Fact a number in the words; `tests/lessons.rs` says how each is checked
  * @property {number} value

@@ -170,13 +170,13 @@ export const learnText = {
       options: { one: 'Only this one', half: 'About half of them', most: 'Almost all of them' },
     }),
     'real-difference': (n) => ({
-      title: 'Is the difference real?',
+      title: 'Two coaches, one ball',
       body: [
-        'Two settings, one run of each: one brings home more. Is it better, or only lucky? One run cannot say.',
-        `So both are run with the same seeds, many times. Here is such a study: a dot is the share of the runs that succeed, and its line shows how far luck may have moved it. With trees of depth ${n.ten}, ${n.good} of ${n.runs} runs succeed; with depth ${n.eleven}, ${n.bad}.`,
-        'Where the lines do not overlap, luck alone is a poor explanation.',
+        'Two teams play soccer with the same robots. Only their coaches differ: one is a behaviour tree, the other a state machine.',
+        `In ${n.games} matches, the team of the tree scored ${n.tree} goals, that of the machine ${n.machine}. Is a tree the better coach, or only lucky? Here is that study. The test below the tables asks how often luck alone would part two equal teams as far as this: very often. So nobody may say that the tree is better.`,
+        'One match says even less. It is the same with swarms, and there you can try it.',
       ],
-      ask: `In each of these pairs, the first brought home more in its first run. Who is ahead in most of ${n.seeds} seeds?`,
+      ask: `In each of these pairs of swarms, the first brought home more in its first run. Who is ahead in most of ${n.seeds} seeds?`,
       options: {
         walk: `Turning a little at each step, against turning anyhow: ${n.walkA} to ${n.walkB}`,
         order: `Acting always in the same order, against a new order each step: ${n.orderA} to ${n.orderB}`,

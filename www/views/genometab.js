@@ -11,11 +11,9 @@ import { createTreeFigure } from './treefigure.js';
 /**
  * Codons, grammar rules and tree nodes, linked. Changing a codon is a what-if: it never touches the run.
  *
- * @param {Pick<Engine, 'request'>} engine
- * @param {SeenRun} run
- * @param {Selection} selection
+ * @param {{ pane: HTMLElement, engine: Pick<Engine, 'request'>, run: SeenRun, selection: Selection }} parts
  */
-export function createGenomeTab(engine, run, selection) {
+export function createGenomeTab({ pane, engine, run, selection }) {
   const largest = () => Number(run.scenario['codon-max'] ?? 255);
   const said = h('p', { class: 'said' });
   const cells = h('div', { class: 'codons', role: 'group', 'aria-label': text.genome.codons });
@@ -27,7 +25,7 @@ export function createGenomeTab(engine, run, selection) {
   const machine = createMachineSlot({ plain: true });
   const empty = h('p', { class: 'empty' }, text.agent.none);
   const body = h('div', {}, said, cells, rule, whatIf, verdict, frame, machine.element);
-  const element = h('div', { class: 'tab-body' }, empty, body);
+  pane.append(empty, body);
 
   /** @type {number[]} genome of the robot in the run */
   let own = [];
@@ -175,5 +173,5 @@ export function createGenomeTab(engine, run, selection) {
   });
 
   new ResizeObserver(() => figure.fit(frame.clientWidth)).observe(frame);
-  return { element, show };
+  return { show };
 }

@@ -6,7 +6,6 @@ import { messageOf } from '../session.js';
 import { save, standalone } from '../ui/share.js';
 import { createTreeTab } from './treetab.js';
 import { createAgentTab } from './agenttab.js';
-import { createGenomeTab } from './genometab.js';
 
 /** @import { Engine } from '../engine.js' */
 /** @import { SeenRun } from '../lens.js' */
@@ -27,8 +26,10 @@ const EVERY_MS = 120;
 export function createInspector({ pane, engine, run, state, selection, theme, onTheme, ringed, openTree, say }) {
   const tree = createTreeTab({ selection, take: (bench) => void take(bench) });
   const agent = createAgentTab(run, selection);
-  const genome = createGenomeTab(engine, run, selection);
+  const genomePanel = h('div', { class: 'tab-body' });
   const chartsPanel = h('div', { class: 'tab-body' });
+  /** @type {ReturnType<typeof import('./genometab.js').createGenomeTab> | null} */
+  let genome = null;
   /** @type {import('./charts.js').Charts | null} */
   let charts = null;
 
@@ -37,7 +38,7 @@ export function createInspector({ pane, engine, run, state, selection, theme, on
     tabs: [
       { name: 'tree', label: text.inspector.tree, panel: tree.element },
       { name: 'agent', label: text.inspector.agent, panel: agent.element },
-      { name: 'genome', label: text.inspector.genome, panel: genome.element },
+      { name: 'genome', label: text.inspector.genome, panel: genomePanel },
       { name: 'charts', label: text.inspector.charts, panel: chartsPanel },
     ],
     changed: (name) => void opened(name),
@@ -61,6 +62,10 @@ export function createInspector({ pane, engine, run, state, selection, theme, on
 
   /** @param {string} name */
   async function opened(name) {
+    if (name === 'genome' && !genome) {
+      const { createGenomeTab } = await import('./genometab.js');
+      genome ??= createGenomeTab({ pane: genomePanel, engine, run, selection });
+    }
     if (name === 'charts' && !charts) {
       const { createCharts } = await import('./charts.js');
       charts ??= createCharts({ pane: chartsPanel, engine, run, theme });
@@ -131,7 +136,7 @@ export function createInspector({ pane, engine, run, state, selection, theme, on
     ringed();
     if (tabs.current() === 'tree') tree.show(detail);
     else if (tabs.current() === 'agent') agent.show(detail);
-    else genome.show(detail);
+    else genome?.show(detail);
   }
 
   run.on('frame', () => {

@@ -16,7 +16,7 @@ const themes = createThemeSwitch();
 const nav = h('nav', { 'aria-label': text.tabs.label });
 const tools = h('div', { class: 'tools' });
 const keys = createKeys({
-  keys: () => keys.open(),
+  keys: () => void keys.open(),
   'tab-forage': () => void router.visit('forage'),
   'tab-trees': () => void router.visit('trees'),
   'tab-studies': () => void router.visit('studies'),
@@ -77,7 +77,7 @@ const router = createRouter({
   ],
 });
 
-tools.append(themes.element, button(text.keys.open, () => keys.open(), { action: 'keys' }), button(text.share, () => void share(), { action: 'share' }));
+tools.append(themes.element, button(text.keys, () => void keys.open(), { action: 'keys' }), button(text.share, () => void share(), { action: 'share' }));
 find('#top').append(h('h1', {}, text.title), nav, tools);
 document.addEventListener('visibilitychange', () => {
   if (document.hidden) router.pause();

@@ -65,6 +65,7 @@ export const cases = [
       await inState('paused');
       const keys = async () => {
         await page.keyboard.press('?');
+        await page.locator('.keys-dialog[open]').waitFor();
         const rows = await page.locator('.keys-dialog tbody td').allTextContents();
         await page.keyboard.press('Escape');
         await page.locator('.keys-dialog').waitFor({ state: 'hidden' }); // the browser closes it a moment later

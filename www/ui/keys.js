@@ -1,16 +1,13 @@
-import { h } from './dom.js';
-import { text } from './strings.en.js';
 import { remember, recall } from './storage.js';
 
 /**
  * @typedef {object} KeyRow one row drives the handler, the list and `aria-keyshortcuts`
- * @property {string[]} keys values of `KeyboardEvent.key`; empty for keys that a part of the page handles itself
+ * @property {string[]} keys values of `KeyboardEvent.key`
  * @property {string} shown
  * @property {string} action
- * @property {string} [tab] the only tabs that have it; for keys that a part of the page handles itself
  */
 
-/** @type {KeyRow[]} a tab's list holds the rows whose action it has, or that name it */
+/** @type {KeyRow[]} a tab's list holds the rows whose action it has */
 export const KEYS = [
   { keys: [' '], shown: 'Space', action: 'toggle' },
   { keys: ['.'], shown: '.', action: 'forward' },
@@ -32,17 +29,6 @@ export const KEYS = [
   { keys: ['5'], shown: '5', action: 'tab-studies' },
   { keys: ['6'], shown: '6', action: 'tab-learn' },
   { keys: ['?'], shown: '?', action: 'keys' },
-  { keys: [], shown: text.keys.arrows, action: 'world-arrows', tab: 'forage' },
-  { keys: [], shown: 'Home, End', action: 'world-ends', tab: 'forage' },
-  { keys: [], shown: text.keys.arrows, action: 'map-arrows', tab: 'sequence' },
-  { keys: [], shown: 'Page Up, Page Down', action: 'map-pages', tab: 'sequence soccer' },
-  { keys: [], shown: text.keys.arrows, action: 'pitch-arrows', tab: 'soccer' },
-  { keys: [], shown: '[ ]', action: 'pitch-turn', tab: 'soccer' },
-  { keys: [], shown: text.keys.arrows, action: 'tree-arrows', tab: 'forage trees' },
-  { keys: [], shown: text.keys.arrows, action: 'codon-arrows', tab: 'forage' },
-  { keys: [], shown: 'S, F, R, K', action: 'tree-answers', tab: 'trees' },
-  { keys: [], shown: text.keys.undo, action: 'undo', tab: 'trees sequence' },
-  { keys: [], shown: text.keys.redo, action: 'redo', tab: 'trees sequence' },
 ];
 
 const FIELDS = 'input:not([type=range]):not([type=checkbox]), textarea, select, [role=spinbutton], [role=tab]';
@@ -58,12 +44,8 @@ export function createKeys(everywhere) {
   let on = recall('keys') !== 'off';
   /** @type {{ name: string, actions: Record<string, () => void>, regions: HTMLElement[] }} */
   let open = { name: '', actions: {}, regions: [] };
-  const dialog = createKeysDialog(on, (now) => {
-    on = now;
-    remember('keys', now ? 'on' : 'off');
-    mark();
-  });
-  document.body.append(dialog.element);
+  /** @type {import('./keysdialog.js').KeysDialog | null} */
+  let dialog = null;
 
   /** @param {string} name @returns {(() => void) | undefined} */
   const actionOf = (name) => open.actions[name] ?? everywhere[name];
@@ -71,10 +53,19 @@ export function createKeys(everywhere) {
   /** Writes `aria-keyshortcuts` on every button that does what a key does. */
   function mark() {
     for (const element of document.querySelectorAll('[data-action]')) {
-      const row = KEYS.find(({ action, keys }) => action === element.getAttribute('data-action') && keys.length > 0);
+      const row = KEYS.find(({ action }) => action === element.getAttribute('data-action'));
       if (row && on) element.setAttribute('aria-keyshortcuts', row.shown);
       else element.removeAttribute('aria-keyshortcuts');
     }
+  }
+
+  const list = () => dialog?.list(KEYS.filter(({ action }) => actionOf(action)), open.name);
+
+  /** @param {boolean} now whether single keys act */
+  function switched(now) {
+    on = now;
+    remember('keys', now ? 'on' : 'off');
+    mark();
   }
 
   document.addEventListener('keydown', (event) => {
@@ -93,7 +84,13 @@ export function createKeys(everywhere) {
   });
 
   return {
-    open: dialog.open,
+    /** Shows the list, which is loaded when it is first wished. */
+    async open() {
+      const { createKeysDialog } = await import('./keysdialog.js');
+      dialog ??= createKeysDialog(on, switched);
+      list();
+      dialog.open();
+    },
 
     /**
      * Keys act on another tab now, or on more of the same.
@@ -103,34 +100,9 @@ export function createKeys(everywhere) {
      */
     use(name, tab) {
       open = { name, actions: tab?.actions ?? {}, regions: tab?.regions ?? [] };
-      dialog.list(KEYS.filter(({ keys, action, tab: only }) => (keys.length > 0 ? actionOf(action) : !only || only.split(' ').includes(name))));
+      list();
       mark();
     },
-  };
-}
-
-/**
- * @param {boolean} on
- * @param {(on: boolean) => void} change
- */
-function createKeysDialog(on, change) {
-  const box = h('input', { type: 'checkbox', checked: on });
-  box.addEventListener('change', () => change(box.checked));
-  const rows = h('tbody', {});
-  const close = h('button', { type: 'button', onclick: () => element.close() }, text.close);
-  const element = h(
-    'dialog',
-    { class: 'keys-dialog', 'aria-labelledby': 'keys-title' },
-    h('h2', { id: 'keys-title' }, text.keys.title),
-    h('p', {}, text.keys.where),
-    h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': text.keys.title }, h('table', {}, rows)),
-    h('div', { class: 'row' }, h('label', { class: 'check' }, box, text.keys.switch), close),
-  );
-  return {
-    element,
-    open: () => element.showModal(),
-    /** @param {KeyRow[]} list */
-    list: (list) => rows.replaceChildren(...list.map(({ shown, action }) => h('tr', {}, h('th', { scope: 'row' }, h('kbd', {}, shown)), h('td', {}, text.keys.does[action])))),
   };
 }
 

@@ -63,3 +63,5 @@ export function createAgentTable(lens, selection) {
     },
   };
 }
+
+/** @typedef {ReturnType<typeof createAgentTable>} AgentTable */

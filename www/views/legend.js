@@ -1,6 +1,5 @@
 import { h, write } from '../ui/dom.js';
 import { text } from '../ui/strings.en.js';
-import { createAgentTable } from './agenttable.js';
 
 /** @import { Lens } from '../lens.js' */
 /** @import { Run } from '../run.js' */
@@ -28,18 +27,30 @@ export function createLegend({ pane, run, lens, state, selection, world }) {
     });
     return h('label', { class: 'layer', 'data-layer': layer }, box, h('i', { class: 'swatch', 'aria-hidden': 'true' }), names.get(layer) ?? '', ' ', counts.get(layer) ?? '');
   });
-  const table = createAgentTable(lens, selection);
+  /** @type {import('./agenttable.js').AgentTable | null} */
+  let table = null;
+  const slot = h('span', { hidden: true });
   const tableSwitch = h('button', { type: 'button', class: 'quiet', 'aria-pressed': 'false' }, text.world.table);
   tableSwitch.addEventListener('click', () => {
     const shown = tableSwitch.getAttribute('aria-pressed') !== 'true';
     tableSwitch.setAttribute('aria-pressed', String(shown));
     pane.classList.toggle('as-table', shown);
-    table.show(shown);
+    void tabulate();
   });
   const summary = h('p', { class: 'unseen', id: 'summary' });
-  pane.append(table.element, h('div', { class: 'legend' }, h('div', { class: 'layers', role: 'group', 'aria-label': text.world.layers }, ...rows), tableSwitch), summary);
+  pane.append(slot, h('div', { class: 'legend' }, h('div', { class: 'layers', role: 'group', 'aria-label': text.world.layers }, ...rows), tableSwitch), summary);
 
   let summarised = -Infinity;
+
+  /** Shows or hides the table, which is loaded when it is first wished. */
+  async function tabulate() {
+    const { createAgentTable } = await import('./agenttable.js');
+    if (!table) {
+      table = createAgentTable(lens, selection);
+      slot.replaceWith(table.element);
+    }
+    table.show(tableSwitch.getAttribute('aria-pressed') === 'true');
+  }
 
   function count() {
     if (!world.ready()) return;

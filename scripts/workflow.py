@@ -17,6 +17,7 @@ from pathlib import Path
 HOME = Path(".tools/workflow")
 SNAKEMAKE = HOME / "bin" / "snakemake"
 REQUIREMENTS = Path("workflow/requirements.txt")
+SOURCES = ["connection_pool"]  # of which there is no built package
 SHARDS, SEEDS = 4, 12
 # A run takes a moment, all of them take seconds even where the machine is fast.
 STUDY = {
@@ -143,7 +144,8 @@ def install():
     steps = [
         [sys.executable, "-m", "venv", "--clear", str(HOME)],
         [str(HOME / "bin" / "python"), "-m", "pip", "--disable-pip-version-check", "--retries", "1", "--timeout", "20"]
-        + ["install", "--quiet", "--only-binary", ":all:", "--requirement", str(REQUIREMENTS)],
+        + ["install", "--quiet", "--only-binary", ":all:", "--no-binary", ",".join(SOURCES)]
+        + ["--requirement", str(REQUIREMENTS)],
     ]
     HOME.parent.mkdir(exist_ok=True)
     for step in steps:

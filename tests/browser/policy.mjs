@@ -33,7 +33,7 @@ export const cases = [
           policy: parsed.querySelector('meta[http-equiv=Content-Security-Policy]')?.getAttribute('content') ?? '',
           inline: parsed.querySelectorAll('script:not([src]), style').length,
           attributes: written.filter(({ name }) => name === 'style' || name.startsWith('on')),
-          addresses: written.filter(({ name, value }) => ['src', 'href'].includes(name) && !value.startsWith('./')),
+          addresses: written.filter(({ name, value }) => ['src', 'href'].includes(name) && !/^(\.\/|#)/.test(value)),
         };
       }, html);
       const policy = Object.fromEntries(found.policy.split('; ').map((part) => [part.slice(0, part.indexOf(' ')), part.slice(part.indexOf(' ') + 1)]));

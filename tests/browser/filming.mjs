@@ -74,6 +74,7 @@ export const cases = [
       await page.addInitScript(() => Reflect.deleteProperty(globalThis, 'VideoEncoder'));
       await page.goto(page.url().replace(/#.*/, '#/forage'));
       await page.reload();
+      await page.waitForFunction(() => document.body.dataset.state !== 'loading');
       await page.locator('#foot').getByRole('button', { name: 'Video', exact: true }).click();
       await page.locator('.video-dialog').getByRole('button', { name: 'Film', exact: true }).click();
       await page.locator('#video-extent').filter({ hasText: 'cannot encode video' }).waitFor();

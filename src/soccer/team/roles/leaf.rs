@@ -69,6 +69,10 @@ pub enum What {
 /// A port: its name, what is taken when it is not given, and what it is.
 type Number = (&'static str, f64, &'static str);
 
+/// The keeper's line, and how far it goes.
+const LINE: Number = ("x", -0.69, "the line, metres");
+const REACH: Number = ("reach", 0.20, "how far the line goes to both sides, metres");
+const ASIDE: &str = "how far to both sides to go, metres";
 /// What ends a run with the ball.
 const RELEASE: &str = "brakes when the ball's x is above this, so that the ball rolls on, metres";
 
@@ -158,13 +162,13 @@ impl What {
     pub fn numbers(self) -> &'static [Number] {
         match self {
             Self::OffLine => &[
-                ("x", -0.69, "the line, metres"),
-                ("reach", 0.20, "how far the line goes to both sides, metres"),
+                LINE,
+                REACH,
                 ("on", 0.165, "begins farther away than this, metres"),
                 ("off", 0.10, "lasts while farther away than this, metres"),
             ],
             Self::ShotComing => &[
-                ("x", -0.69, "the line, metres"),
+                LINE,
                 ("within", 3.0, "the ball reaches it within, seconds"),
                 ("on", -0.10, "begins when the ball's speed along x is below this, metres per second"),
                 ("off", -0.05, "lasts while it is below this, metres per second"),
@@ -216,20 +220,14 @@ impl What {
             Self::SecondStriker | Self::Spin | Self::DriveAtBall => &[],
             Self::RunAtGoal => &[("release", 0.37, RELEASE)],
             Self::KickPenalty => &[("release", 0.39, RELEASE)],
-            Self::ReturnToLine => {
-                &[("x", -0.69, "the line, metres"), ("reach", 0.20, "how far the line goes to both sides, metres")]
-            }
+            Self::ReturnToLine => &[LINE, REACH],
             Self::Save => &[
-                ("x", -0.69, "the line, metres"),
-                ("reach", 0.20, "how far to both sides to go, metres"),
+                LINE,
+                ("reach", 0.20, ASIDE),
                 ("fast", 0.50, "when more speed than this is needed, metres per second ..."),
                 ("overshoot", 0.02, "... go this much farther, metres"),
             ],
-            Self::KeepLine => &[
-                ("x", -0.69, "the line, metres"),
-                ("reach", 0.20, "how far to both sides to go, metres"),
-                ("share", 1.0, "the part of the ball's y to stand at"),
-            ],
+            Self::KeepLine => &[LINE, ("reach", 0.20, ASIDE), ("share", 1.0, "the part of the ball's y to stand at")],
             Self::GuardCorner => &[("y", 0.40, "how far from the middle, metres")],
             Self::StandAside => &[
                 ("x", -0.52, "where to stand, metres"),
@@ -255,9 +253,7 @@ impl What {
                 ("aside", 0.15, "how far beside the ball, metres"),
                 ("wide", 0.06, "k of the spirals: 0.004 is tight, 0.2 is wide"),
             ],
-            Self::GuardPenalty => {
-                &[("x", -0.7125, "the line, metres"), ("reach", 0.15, "how far to both sides to go, metres")]
-            }
+            Self::GuardPenalty => &[("x", -0.7125, LINE.2), ("reach", 0.15, ASIDE)],
         }
     }
 }

@@ -1,16 +1,12 @@
 // Owns the engine of sequencing and never runs by itself: it answers requests, one at a time, in order. See types.js.
-// The handler is set before wasm is initialised, or the first request would be lost.
 
+import { answerRequests } from '../answering.js';
 import init, { Sequence, sequence_complete as complete, sequence_schema as schema, version } from './engine/swarm_playground.js';
 
-/** @typedef {{ id: number, type: string } & Record<string, any>} Request */
+/** @import { Answers } from '../answering.js' */
 
 const ROW = 6;
 const AT_ONCE = 4; // integrations between two looks at the clock: a few milliseconds
-
-const port = /** @type {{ postMessage(message: object, transfer?: Transferable[]): void, onmessage: ((event: MessageEvent) => void) | null }} */ (
-  /** @type {unknown} */ (self)
-);
 
 /** @type {WebAssembly.Memory} */
 let memory;
@@ -18,34 +14,8 @@ let memory;
 let sequence = null;
 let sent = 0; // rows of the frontier that the page has
 let known = ''; // the plan that the page has
-/** @type {Promise<unknown> | undefined} */
-let ready;
-/** @type {Promise<void>} */
-let queue = Promise.resolve();
 
-port.onmessage = (event) => {
-  const request = /** @type {Request} */ (event.data);
-  queue = queue.then(() => answer(request));
-};
-
-/** @param {Request} request */
-async function answer(request) {
-  try {
-    ready ??= init().then((exports) => (memory = exports.memory));
-    await ready;
-    const [message, transfer = []] = ANSWERS[request.type](request);
-    port.postMessage({ id: request.id, type: request.type, ...message }, transfer);
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
-    const refused = REFUSES.has(request.type) && !(error instanceof WebAssembly.RuntimeError) && !/panicked at/.test(message);
-    port.postMessage({ id: request.id, type: 'error', message, fatal: !refused });
-  }
-}
-
-/** Requests that may fail because of what was asked; any other failure means that the engine is broken. */
-const REFUSES = new Set(['complete', 'open', 'follow', 'fan']);
-
-/** @type {Record<string, (request: Request) => [object, Transferable[]?]>} */
+/** @type {Answers} */
 const ANSWERS = {
   hello: () => [{ version: version(), schema: JSON.parse(schema()) }],
   complete: ({ scenario }) => [{ scenario: JSON.parse(complete(scenario)) }],
@@ -86,6 +56,12 @@ const ANSWERS = {
     return [{ rays, middles }, [middles.buffer]];
   },
 };
+
+answerRequests({
+  start: async () => ({ memory } = await init()),
+  answers: ANSWERS,
+  refuses: new Set(['complete', 'open', 'follow', 'fan']),
+});
 
 function opened() {
   if (!sequence) throw new Error('no scenario was opened');

@@ -1,48 +1,19 @@
 // Owns the engine of soccer and never runs by itself: it answers requests, one at a time, in order. See types.js.
-// The handler is set before wasm is initialised, or the first request would be lost.
 
+import { answerRequests } from '../answering.js';
 import init, { Match, soccer_complete as complete, soccer_schema as schema, soccer_setting as setting, soccer_trees as trees, version } from './engine/swarm_playground.js';
 
-/** @typedef {{ id: number, type: string } & Record<string, any>} Request */
+/** @import { Answers } from '../answering.js' */
 
 const AT_ONCE = 120; // ticks between two looks at the clock: about two milliseconds
-
-const port = /** @type {{ postMessage(message: object, transfer?: Transferable[]): void, onmessage: ((event: MessageEvent) => void) | null }} */ (
-  /** @type {unknown} */ (self)
-);
 
 /** @type {WebAssembly.Memory} */
 let memory;
 /** @type {Match | null} */
 let match = null;
 let known = { log: 0, events: 0 }; // what the page has
-/** @type {Promise<unknown> | undefined} */
-let ready;
-let queue = Promise.resolve();
 
-port.onmessage = (event) => {
-  const request = /** @type {Request} */ (event.data);
-  queue = queue.then(() => answer(request));
-};
-
-/** @param {Request} request */
-async function answer(request) {
-  try {
-    ready ??= init().then((exports) => (memory = exports.memory));
-    await ready;
-    const [message, transfer = []] = ANSWERS[request.type](request);
-    port.postMessage({ id: request.id, type: request.type, ...message }, transfer);
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
-    const refused = REFUSES.has(request.type) && !(error instanceof WebAssembly.RuntimeError) && !/panicked at/.test(message);
-    port.postMessage({ id: request.id, type: 'error', message, fatal: !refused });
-  }
-}
-
-/** Requests that may fail because of what was asked; any other failure means that the engine is broken. */
-const REFUSES = new Set(['complete', 'open', 'set']);
-
-/** @type {Record<string, (request: Request) => [object, Transferable[]?]>} */
+/** @type {Answers} */
 const ANSWERS = {
   hello: () => [{ version: version(), schema: JSON.parse(schema()), setting: JSON.parse(setting()) }],
   complete: ({ scenario }) => [{ scenario: JSON.parse(complete(scenario)) }],
@@ -82,6 +53,12 @@ const ANSWERS = {
   arrangement: ({ tick }) => [{ arrangement: JSON.parse(opened().arrangement(tick)) }],
   scenario: () => [{ scenario: JSON.parse(opened().scenario()) }],
 };
+
+answerRequests({
+  start: async () => ({ memory } = await init()),
+  answers: ANSWERS,
+  refuses: new Set(['complete', 'open', 'set']),
+});
 
 function opened() {
   if (!match) throw new Error('no scenario was opened');

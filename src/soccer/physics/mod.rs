@@ -1,7 +1,9 @@
 //! Six robots and a ball in the plane: a small solver of our own, the same bits on every machine.
 //!
-//! A substep: wheels pull and the ground brakes; everything moves; overlaps are found; impulses stop what moves into
-//! something else; overlaps are taken away. Robots keep no heading but its cosine and sine, so a substep needs no
+//! A substep: overlaps are found; wheels pull and the ground brakes; impulses stop what moves into something else;
+//! everything moves; overlaps are taken away. Impulses come between pulling and moving, so that what is pressed against
+//! something stands: moved before, it would creep by a part of each substep, and goals, most of which come of pressing,
+//! would depend on the number of substeps. Robots keep no heading but its cosine and sine, so a substep needs no
 //! transcendental function at all.
 //!
 //! | question | choice | reason |
@@ -129,40 +131,45 @@ impl Physics {
     /// One substep of a control frame.
     pub fn substep(&mut self, drives: &[Drive; ROBOTS]) {
         let time = self.time;
+        self.find();
         for (body, drive) in self.bodies[..ROBOTS].iter_mut().zip(drives) {
             body.pull(*drive, time);
-            body.at[0] += body.velocity[0] * time;
-            body.at[1] += body.velocity[1] * time;
-            body.turn(body.spin * time);
-        }
-        let ball = &mut self.bodies[BALL];
-        ball.brake(&mut self.roll, time);
-        ball.at[0] += ball.velocity[0] * time;
-        ball.at[1] += ball.velocity[1] * time;
-        self.touches.clear();
-        touch::find(&self.bodies, &mut self.touches);
-        if self.touches.is_empty() {
-            self.contacts.clear();
-            return;
         }
         let Self { bodies, touches, contacts, before, roll, .. } = self;
-        solve::velocities(bodies, touches, contacts, before, roll);
-        for touch in self.touches.iter().filter(|touch| touch.b == BALL) {
+        bodies[BALL].brake(roll, time);
+        if touches.is_empty() {
+            contacts.clear();
+        } else {
+            solve::velocities(bodies, touches, contacts, before, roll);
+        }
+        for touch in touches.iter().filter(|touch| touch.b == BALL) {
             self.on_ball |= 1 << touch.a;
         }
+        for body in &mut bodies[..=BALL] {
+            body.at[0] += body.velocity[0] * time;
+            body.at[1] += body.velocity[1] * time;
+        }
+        for body in &mut bodies[..ROBOTS] {
+            body.turn(body.spin * time);
+        }
         self.part();
+    }
+
+    /// Looks where bodies overlap now.
+    fn find(&mut self) {
+        self.touches.clear();
+        touch::find(&self.bodies, &mut self.touches);
     }
 
     /// Takes overlaps away. What was deep, such as a corner of a spinning robot, touches at other points once it has
     /// moved, so it is looked at again.
     fn part(&mut self) {
         for _ in 0..PARTINGS {
+            self.find();
             solve::places(&mut self.bodies, &self.touches);
             if self.touches.iter().all(|touch| touch.depth < DEEP) {
                 return;
             }
-            self.touches.clear();
-            touch::find(&self.bodies, &mut self.touches);
         }
     }
 

@@ -4,7 +4,7 @@
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 
-const FACES = 'worlds,trees,studies,sequence';
+const FACES = 'worlds,trees,studies,sequence,soccer-page';
 const HOME = 'target/npm';
 const FOLDER = `${HOME}/package`;
 const LICENCES = ['LICENSE-MIT', 'LICENSE-APACHE'];

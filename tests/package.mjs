@@ -65,6 +65,24 @@ console.log(JSON.stringify(${JSON.stringify(golden)}.map((wanted) => reached(Wor
     },
   ],
   [
+    'a_whole_match_in_node_is_that_of_the_committed_results',
+    () => {
+      const [names, first] = readFileSync(join(root, 'results/coaches.csv'), 'utf8').split('\n', 2).map((line) => line.split(','));
+      const fingerprint = first.at(names.indexOf('fingerprint') - names.length); // counted from the end: the cell's name holds a comma
+      writeFileSync(
+        join(folder, 'match.js'),
+        `import { readFileSync } from 'node:fs';
+import { Match } from 'swarm-playground';
+const scenario = JSON.parse(readFileSync(new URL(import.meta.resolve('swarm-playground/scenarios/match.json')), 'utf8'));
+const match = new Match(JSON.stringify({ ...scenario, seed: 1 }));
+while (match.skip(6000));
+console.log(match.fingerprint(match.front()));
+`,
+      );
+      assert.equal(run('node', 'match.js').trim(), fingerprint);
+    },
+  ],
+  [
     'the_example_of_the_readme_runs',
     () => {
       const readme = readFileSync(join(folder, 'node_modules/swarm-playground/README.md'), 'utf8');

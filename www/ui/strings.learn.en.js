@@ -173,7 +173,7 @@ export const learnText = {
       title: 'Two coaches, one ball',
       body: [
         'Two teams play soccer with the same robots. Only their coaches differ: one is a behaviour tree, the other a state machine.',
-        `In ${n.games} matches, the team of the tree scored ${n.tree} goals, that of the machine ${n.machine}. Is a tree the better coach, or only lucky? Here is that study. The test below the tables asks how often luck alone would part two equal teams as far as this: very often. So nobody may say that the tree is better.`,
+        `In ${n.games} matches, the team of the tree scored ${n.tree} goals, that of the machine ${n.machine}. Is one the better coach, or only luckier? Here is that study. The test below the tables asks how often luck alone would part two equal teams as far as this: very often. So nobody may say that either is better.`,
         'It is the same with swarms, and there you can try it.',
       ],
       ask: `In each of these pairs of swarms, the first brought home more in its first run. Who is ahead in most of ${n.seeds} seeds?`,

@@ -11,7 +11,7 @@
 //! | "one full spin" | until the robot has turned by 360 degrees, or for 0.5 s when something holds it |
 //! | "beside the ball", waiting Striker | towards the middle of the pitch, where there is always room |
 //! | getting the ball | the spirals lead to a place 0.04 behind it, where the approach limit is still that of 0.06: contact comes at the rim of the robot, before its centre would arrive |
-//! | shooting | the run at the goal ends with the ball at x = 0.37, where the robot brakes and the ball rolls on: pushed on, ball and goalkeeper end up in the goal together (35 goals a match) |
+//! | shooting | the run at the goal ends with the ball at x = 0.37, where the robot brakes and the ball rolls on: pushed on, ball and goalkeeper end up in the goal together |
 //! | ball at rest before the goalkeeper | it drives out through it: the referee punishes a team that lets it lie |
 //! | ball beside the goal | the goalkeeper gets between it and the goal, then drives it along the end wall into the corner |
 //! | ball in the far corner | the Striker drives straight at it, since the spirals need more room than there is |

@@ -67,14 +67,15 @@ const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls
   .flat()
   .filter(([name]) => words.length === 0 || words.some((word) => name.includes(word)));
 const [together, alone] = [chosen.filter(([, , how]) => how !== 'alone'), chosen.filter(([, , how]) => how === 'alone')];
+process.once('SIGTERM', () => process.exit(1)); // playwright would only close its browsers, and the lanes start new ones
 const server = await serve(dist, '/some/sub/path/');
 /** @type {Map<Case, Outcome>} */
 const outcomes = new Map();
 const order = [...together, ...alone];
 let shown = 0;
 
-const queue = [...together];
-await Promise.all(Array.from({ length: LANES }, () => lane(queue)));
+const waiting = [...together];
+await Promise.all(Array.from({ length: LANES }, () => lane(waiting)));
 await lane([...alone]);
 
 const failures = order.filter((entry) => outcomes.get(entry)?.error);
@@ -128,7 +129,7 @@ async function attempt(browser, [, run]) {
     outcome = { seconds: seconds(), note: note ?? '', error: '', said: [] };
   } catch (error) {
     const said = await Promise.all(opened.map(({ page, problems }) => described(page, problems)));
-    outcome = { seconds: seconds(), note: '', error: placed(error), said: said.filter(Boolean) };
+    outcome = { seconds: seconds(), note: '', error: placed(error) || 'no reason was given', said: said.filter(Boolean) };
   }
   for (const { close } of opened) await within(10_000, close()).catch(() => {});
   return outcome;

@@ -34,6 +34,7 @@ export const cases = [
       assert.deepEqual(problems, []);
       return `ten minutes computed and shown ${took} ms after the page was there`;
     },
+    'alone',
   ],
   [
     'soccer_engine_is_loaded_with_its_tab_only',

@@ -10,7 +10,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import { createInterface } from 'node:readline';
 
 const MINUTES = 60_000;
-const LIMIT = 40 * MINUTES; // for one command, on a slow machine with empty caches
+const LIMIT = 60 * MINUTES; // for one command, on a slow machine with empty caches
 
 // Shown as a passing line on a terminal and not at all elsewhere: a first build has hundreds of them.
 const PROGRESS = /^\s*(Adding|Blocking|Checking|Compiling|Downloaded|Downloading|Locking|Updating) /;
@@ -77,7 +77,10 @@ async function check(...commands) {
  */
 async function tests(command, env) {
   const { lines, ok } = await run(command, { env });
-  return count(lines, ok);
+  const outcome = count(lines, ok);
+  const unsteady = lines.filter((line) => line.startsWith('unsteady ')).length; // counted as passed, see tests/browser/run.mjs
+  if (unsteady === 0) return outcome;
+  return { ...outcome, note: [outcome.note, `${unsteady} unsteady: passed at the second try only`].filter(Boolean).join('; ') };
 }
 
 /**

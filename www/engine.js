@@ -24,12 +24,12 @@ export function createEngine(onFatal, spawn) {
   function start() {
     end('the engine was started again');
     const fresh = spawn();
-    fresh.onmessage = (event) => receive(event.data);
+    worker = fresh;
+    fresh.onmessage = (event) => fresh === worker && receive(event.data);
     fresh.onerror = (event) => {
       event.preventDefault();
-      broken(event.message || 'the engine could not be started in a module worker');
+      if (fresh === worker) broken(event.message || 'the engine could not be started in a module worker');
     };
-    worker = fresh;
   }
 
   /** @param {string} reason */

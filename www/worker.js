@@ -45,7 +45,7 @@ async function answer(request) {
     port.postMessage({ id: request.id, ...message }, transfer ?? []);
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
-    const refused = REFUSES.has(request.type) && !(error instanceof WebAssembly.RuntimeError) && !/panicked at/.test(message);
+    const refused = error instanceof NoWorld || (REFUSES.has(request.type) && !(error instanceof WebAssembly.RuntimeError) && !/panicked at/.test(message));
     port.postMessage({ id: request.id, type: 'error', message, fatal: !refused });
   }
 }
@@ -130,8 +130,11 @@ const ANSWERS = {
   fingerprint: () => [{ type: 'fingerprint', tick: running().tick(), hash: running().fingerprint() }],
 };
 
+/** A chart may ask an engine that was just started again before its world is there: that breaks nothing. */
+class NoWorld extends Error {}
+
 function running() {
-  if (!world) throw new Error('no scenario is loaded');
+  if (!world) throw new NoWorld('no scenario is loaded');
   return world;
 }
 

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
+import { eventually } from './browser.mjs';
 
 const axe = readFileSync(fileURLToPath(import.meta.resolve('axe-core')), 'utf8');
 
@@ -76,12 +77,12 @@ export const cases = [
     async (open) => {
       const { page, seek, inState } = await open();
       await seek(33);
-      assert.match((await page.locator('#summary').textContent()) ?? '', /^Tick 33\. \d+ of 100 robots carry food\. Delivered \d+ of 100\.$/);
+      await eventually(async () => assert.match((await page.locator('#summary').textContent()) ?? '', /^Tick 33\. \d+ of 100 robots carry food\. Delivered \d+ of 100\.$/));
       await page.locator('#play').click();
       await inState('running');
       await page.locator('#play').click();
       await inState('paused');
-      assert.match((await page.locator('#live').textContent()) ?? '', /^Paused at tick \d+$/);
+      await eventually(async () => assert.match((await page.locator('#live').textContent()) ?? '', /^Paused at tick \d+$/));
       assert.equal(await page.locator('[aria-live]').count(), 1);
     },
   ],
@@ -91,10 +92,10 @@ export const cases = [
       const { page, inState } = await open();
       await page.locator('#theme').click();
       await page.locator('#theme').click();
-      assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), 'dark');
+      await eventually(async () => assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), 'dark'));
       await page.reload();
       await inState('paused');
-      assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 28)');
+      await eventually(async () => assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), 'rgb(20, 23, 28)'));
     },
   ],
 ];

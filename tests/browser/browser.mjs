@@ -1,8 +1,16 @@
 // Starts Chromium and wraps a page in the few words the tests speak.
+import { AssertionError } from 'node:assert/strict';
 import { chromium } from 'playwright-core';
 import { onPath } from './system.mjs';
 
-const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+// What Chromium would prepare beside each page and no test needs: the list of suggestions under its address bar, a page of
+// its own that costs more processor time than ours takes to open. The other names are those that playwright switches off,
+// which this list takes the place of.
+const WITHOUT = [
+  ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup', 'WebUIOmniboxFullPopup'],
+  ...['AimEnabled', 'AvoidCorsURLLoaderRestartOnRedirect', 'AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose', 'HttpsFirstBalancedModeAutoEnable', 'HttpsUpgrades', 'LensOverlay', 'MediaRouter', 'NetworkTimeServiceQuerying', 'OptimizationHints', 'PaintHolding', 'PreconnectToSearch', 'ThirdPartyStoragePartitioning'],
+];
+const FLAGS = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', `--disable-features=${WITHOUT.join()}`];
 const NAMES = ['chromium', 'chromium-browser', 'google-chrome'];
 const PATIENCE_MS = 60_000; // a busy machine may stand still for half a minute
 
@@ -11,6 +19,24 @@ export const findChromium = () => process.env.CHROMIUM || onPath(NAMES);
 
 /** Also makes sure that the page works where there are none. */
 const WITHOUT_SERVICE_WORKERS = () => Object.defineProperty(Navigator.prototype, 'serviceWorker', { value: undefined });
+
+/**
+ * Repeats an assertion until it holds; what it said last is thrown when patience ends. For what the page shows a moment
+ * after something was done; what must never be the case is asserted once, after something that shows that all is done.
+ *
+ * @template T
+ * @param {() => T | Promise<T>} assertion
+ * @returns {Promise<T>} what the assertion gives
+ */
+export async function eventually(assertion) {
+  for (const end = Date.now() + PATIENCE_MS; ; await new Promise((resume) => setTimeout(resume, 20))) {
+    try {
+      return await assertion();
+    } catch (error) {
+      if (!(error instanceof AssertionError) || Date.now() > end) throw error;
+    }
+  }
+}
 
 /** Starts a browser with a user-data directory of its own. @param {string} executablePath */
 export const launch = (executablePath) => chromium.launch({ executablePath, args: FLAGS });
@@ -23,8 +49,9 @@ export const launch = (executablePath) => chromium.launch({ executablePath, args
  * @param {string} [hash] the opening scenario from tick 0 where nothing is said; a bare address is '#/'
  * @param {import('playwright-core').BrowserContextOptions} [options] motion is reduced unless asked for, so nothing moves by itself;
  *   without `serviceWorkers: 'allow'` the page keeps nothing for later visits
+ * @param {(opened: Opened) => unknown} [made] is given the page before it has loaded
  */
-export async function openPage(browser, url, hash = '', options = {}) {
+export async function openPage(browser, url, hash = '', options = {}, made = () => {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce', ...options });
   context.setDefaultTimeout(PATIENCE_MS);
   if (options.serviceWorkers !== 'allow') await context.addInitScript(WITHOUT_SERVICE_WORKERS);
@@ -37,8 +64,9 @@ export async function openPage(browser, url, hash = '', options = {}) {
   page.on('request', (request) => {
     if (!request.url().startsWith(url) && !/^(data|blob):/.test(request.url())) problems.push(`asked for ${request.url()}`);
   });
-  await page.goto(url + (hash || '#/forage?preset=foraging'));
   const opened = wrap(page, problems);
+  made(opened);
+  await page.goto(url + (hash || '#/forage?preset=foraging'));
   await opened.until(() => document.body.dataset.state !== 'loading');
   return opened;
 }
@@ -68,6 +96,12 @@ function wrap(page, problems) {
         tick,
       );
       return /** @type {string} */ (await page.locator('#fingerprint').textContent());
+    },
+
+    /** Waits until the world stands after it has played; gives its tick. A frame may still be under way when the state is paused. */
+    async rest() {
+      await opened.until(() => document.body.dataset.state === 'paused' && location.hash.includes(`t=${document.querySelector('#tick')?.textContent}&f=`));
+      return opened.tick();
     },
 
     /** Moves the scrubber. @param {number} tick */
@@ -118,4 +152,4 @@ function wrap(page, problems) {
 
 /** @typedef {ReturnType<typeof wrap>} Opened */
 /** @typedef {(hash?: string, options?: import('playwright-core').BrowserContextOptions) => Promise<Opened>} Open */
-/** @typedef {[name: string, run: (open: Open, url: string) => Promise<void | string>]} Case a note that is returned is printed */
+/** @typedef {[name: string, run: (open: Open, url: string) => Promise<void | string>, how?: 'alone']} Case a note that is returned is printed; one that measures time runs alone */

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 
 const MUTATION = '[data-key="geese.mutation-probability"]';
 
@@ -23,11 +24,11 @@ export const cases = [
       const fingerprint = await first.seek(130);
       const hash = await first.address(130);
       await first.seek(10);
-      assert.notEqual(await first.page.locator(`${MUTATION} .number input`).inputValue(), '0.25'); // not in force yet at tick 10
+      await eventually(async () => assert.notEqual(await first.page.locator(`${MUTATION} .number input`).inputValue(), '0.25')); // not in force yet at tick 10
       const second = await open(hash);
       assert.equal(await second.at(130), fingerprint);
       await second.openGroups();
-      assert.equal(await second.page.locator(`${MUTATION} .number input`).inputValue(), '0.25');
+      await eventually(async () => assert.equal(await second.page.locator(`${MUTATION} .number input`).inputValue(), '0.25'));
       await second.notice(/fingerprint matches/);
     },
   ],
@@ -43,7 +44,7 @@ export const cases = [
       await type(page, MUTATION, '0.4');
       await notice(/From tick 40: your change/);
       await seek(120);
-      assert.equal(await page.locator(`${MUTATION} .number input`).inputValue(), '0.4');
+      await eventually(async () => assert.equal(await page.locator(`${MUTATION} .number input`).inputValue(), '0.4'));
     },
   ],
   [
@@ -60,17 +61,17 @@ export const cases = [
       await slider.press('ArrowLeft');
       await control.locator('.waits').waitFor();
       assert.equal(await at(30), before);
-      assert.ok(await page.locator('#apply').isVisible());
+      await eventually(async () => assert.ok(await page.locator('#apply').isVisible()));
       await page.locator('#apply').click();
       const after = await at(0);
       assert.notEqual(after, before);
-      assert.notEqual(Number(await box.inputValue()), old);
+      await eventually(async () => assert.notEqual(Number(await box.inputValue()), old));
       await page.locator('#apply').waitFor({ state: 'hidden' });
       const key = await control.getAttribute('data-key');
       await until((wanted) => location.hash.includes(`${wanted}=`), key);
       await control.locator('.reset').click();
       await control.locator('.waits').waitFor();
-      assert.equal(Number(await box.inputValue()), old);
+      await eventually(async () => assert.equal(Number(await box.inputValue()), old));
     },
   ],
   [

@@ -7,7 +7,7 @@ const LINK = '#/forage?preset=foraging&seed=3&embed=1&ui=play,scrub,tree';
  * A page of somebody else's with ours in a frame.
  *
  * @param {string} url
- * @param {(parts: { page: import('playwright-core').Page, frame: import('playwright-core').Frame, say: (message: unknown) => Promise<any>, problems: string[] }) => Promise<void>} look
+ * @param {(parts: { page: import('playwright-core').Page, frame: import('playwright-core').Frame, say: (message: unknown, patience?: number) => Promise<any>, problems: string[] }) => Promise<void>} look
  * @param {{ width: number, height: number }} [size]
  */
 async function framed(url, look, size = { width: 1280, height: 720 }) {
@@ -23,17 +23,17 @@ async function framed(url, look, size = { width: 1280, height: 720 }) {
     await page.goto(`${url}host.html`);
     const frame = /** @type {import('playwright-core').Frame} */ (await (await page.$('iframe'))?.contentFrame());
     await frame.waitForFunction(() => document.body.dataset.state === 'paused' && document.querySelector('#fingerprint')?.textContent);
-    // The answer to a message, or null when there is none within half a second.
-    const say = (/** @type {unknown} */ message) =>
+    // The answer to a message, or null when there is none in time.
+    const say = (/** @type {unknown} */ message, patience = 30_000) =>
       page.evaluate(
-        (sent) =>
+        ([sent, ms]) =>
           new Promise((resolve) => {
             const hear = (/** @type {MessageEvent} */ event) => (removeEventListener('message', hear), resolve(event.data));
             addEventListener('message', hear);
-            setTimeout(() => (removeEventListener('message', hear), resolve(null)), 500);
+            setTimeout(() => (removeEventListener('message', hear), resolve(null)), ms);
             /** @type {HTMLIFrameElement} */ (document.querySelector('iframe')).contentWindow?.postMessage(sent, '*');
           }),
-        message,
+        /** @type {[unknown, number]} */ ([message, patience]),
       );
     await look({ page, frame, say, problems });
     assert.deepEqual(problems, []);
@@ -98,7 +98,7 @@ export const cases = [
     async (_, url) => {
       await framed(url, async ({ say }) => {
         for (const wrong of [null, 7, 'play', [], ['play'], {}, { type: 7 }, { type: 'stop' }, { type: 'constructor' }, { type: '__proto__' }, { type: 'play', more: 1 }, { Type: 'play' }, { type: { play: 1 } }, 'x'.repeat(100_000)]) {
-          assert.equal(await say(wrong), null, JSON.stringify(wrong)?.slice(0, 40));
+          assert.equal(await say(wrong, 500), null, JSON.stringify(wrong)?.slice(0, 40));
         }
         assert.deepEqual(await say({ type: 'state' }).then(({ tick, state }) => [tick, state]), [0, 'paused']);
       });

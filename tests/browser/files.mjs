@@ -1,16 +1,18 @@
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFile } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { eventually } from './browser.mjs';
 
 /** @typedef {import('./browser.mjs').Opened} Opened */
 
 const root = fileURLToPath(new URL('../../', import.meta.url));
 
 /** What the command line prints for a scenario. @param {...string} options */
-const native = (...options) => JSON.parse(execFileSync('cargo', ['run', '--locked', '--quiet', '--', 'run', ...options], { cwd: root, encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit'] }));
+const native = async (...options) => JSON.parse((await promisify(execFile)('cargo', ['run', '--locked', '--quiet', '--', 'run', ...options], { cwd: root })).stdout);
 
 /** Runs a case with a folder of its own. @param {(folder: string) => Promise<void>} run */
 async function inFolder(run) {
@@ -64,13 +66,13 @@ export const cases = [
         assert.equal(name, 'population-foraging-seed9-tick60.json');
         const [ours, theirs] = [join(folder, 'page.json'), join(folder, 'native.json')];
         writeFileSync(ours, text);
-        native('scenarios/foraging.json', '--seed', '9', '--steps', '60', '--save-population', theirs);
+        await native('scenarios/foraging.json', '--seed', '9', '--steps', '60', '--save-population', theirs);
         assert.equal(text, readFileSync(theirs, 'utf8'), 'both write the same file');
 
         await choose(opened, 'native.json', readFileSync(theirs, 'utf8'));
         await opened.notice(/native\.json is opened: 100 programs from “Foraging”, seed 9, tick 60/);
         await opened.at(0);
-        const { fingerprint } = native('scenarios/foraging.json', '--seed', '9', '--population', ours, '--steps', '40');
+        const { fingerprint } = await native('scenarios/foraging.json', '--seed', '9', '--population', ours, '--steps', '40');
         assert.equal(await opened.seek(40), fingerprint, 'programs as they were saved');
 
         await opened.page.locator('[data-key="geese.population-form"] select').selectOption('blended');
@@ -82,7 +84,7 @@ export const cases = [
         await opened.at(0);
         const set = ['geese.population-form=blended', 'geese.population-share=0.2', 'geese.evolution=false'].flatMap((change) => ['--set', change]);
         // In the page the robots stop to evolve by a change at tick 40, which the restart makes part of the start.
-        const blended = native('scenarios/foraging.json', '--seed', '9', '--population', ours, '--steps', '30', ...set);
+        const blended = await native('scenarios/foraging.json', '--seed', '9', '--population', ours, '--steps', '30', ...set);
         assert.equal(await opened.seek(30), blended.fingerprint, 'the fittest fifth, all in each robot');
         assert.deepEqual(opened.problems, []);
       });
@@ -94,7 +96,7 @@ export const cases = [
       const opened = await open('#/forage?preset=foraging&seed=3', { acceptDownloads: true });
       await opened.openGroups();
       const start = await opened.at(0);
-      assert.match((await said(opened).textContent()) ?? '', /^None/);
+      await eventually(async () => assert.match((await said(opened).textContent()) ?? '', /^None/));
       await opened.seek(50);
       const { text } = await saved(opened, 'Save population');
       await drop(opened, 'dropped.json', text);
@@ -177,12 +179,12 @@ export const cases = [
         assert.equal(await second.at(10), before);
         await drop(second, 'nest.json', text);
         await second.notice(/nest\.json is opened: Nest maintenance\./);
-        assert.equal(await second.page.locator('#preset').inputValue(), 'nest');
+        await eventually(async () => assert.equal(await second.page.locator('#preset').inputValue(), 'nest'));
         assert.equal(await second.seek(80), fingerprint);
-        assert.match(await second.address(80), /preset=nest&seed=21&geese\.agents=60&events=~/);
+        await eventually(async () => assert.match(await second.address(80), /preset=nest&seed=21&geese\.agents=60&events=~/));
         const path = join(folder, 'nest.json');
         writeFileSync(path, text);
-        assert.equal(native(path, '--steps', '80').fingerprint, fingerprint);
+        assert.equal((await native(path, '--steps', '80')).fingerprint, fingerprint);
         await second.page.goBack();
         await second.at(10);
         assert.deepEqual(second.problems, []);
@@ -212,7 +214,7 @@ export const cases = [
       const groups = await page.locator('#preset optgroup').evaluateAll((found) => found.map((group) => [group.getAttribute('label'), group.children.length]));
       assert.ok(groups.length >= 3 && groups.every(([, count]) => Number(count) > 0), JSON.stringify(groups));
       assert.equal(await page.locator('#preset').inputValue(), 'geese-bt');
-      assert.match((await page.locator('.preset-about').textContent()) ?? '', /The algorithm before BeTr-GEESE/);
+      await eventually(async () => assert.match((await page.locator('.preset-about').textContent()) ?? '', /The algorithm before BeTr-GEESE/));
     },
   ],
   [
@@ -228,13 +230,14 @@ export const cases = [
         await list.waitFor();
         for (let robot = 0; robot < 12; robot += 1) {
           await until((wanted) => document.querySelector('.agent-head h2')?.textContent === `Robot ${wanted}`, robot);
-          const [before, ...rest] = await list.locator('dd').allTextContents();
-          const sum = Number(rest.pop());
-          const parts = rest.filter((part) => !part.includes('does not count')).map(Number);
-          const kept = Number(before.split(' = ').pop());
-          if (!(await page.locator('.fitness-list').locator('xpath=preceding-sibling::p[1]').textContent())?.includes('starts at 0')) {
+          await eventually(async () => {
+            const [before, ...rest] = await list.locator('dd').allTextContents();
+            const sum = Number(rest.pop());
+            const parts = rest.filter((part) => !part.includes('does not count')).map(Number);
+            const kept = Number(before.split(' = ').pop());
+            if ((await page.locator('.fitness-list').locator('xpath=preceding-sibling::p[1]').textContent())?.includes('starts at 0')) return;
             assert.ok(Math.abs(kept + parts.reduce((all, part) => all + part, 0) - sum) < 0.02, `robot ${robot}: ${before}; ${rest.join('; ')}; ${sum}`);
-          }
+          });
           await page.getByRole('button', { name: 'Next robot' }).click();
         }
       }

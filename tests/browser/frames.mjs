@@ -29,5 +29,6 @@ export const cases = [
       assert.ok(Number(frames) >= LEAST, `${Number(frames).toFixed(1)} frames per second`);
       return `${Number(frames).toFixed(1)} frames per second, ${ticks.toFixed(0)} ticks per second`;
     },
+    'alone',
   ])),
 ];

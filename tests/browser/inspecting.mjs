@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -63,13 +64,13 @@ export const cases = [
       await root.waitFor();
       await root.click();
       await page.locator('.said').filter({ hasText: /reached this node in the last tick/ }).waitFor();
-      assert.match((await root.locator('title').textContent()) ?? '', /reached by \d+ %/);
+      await eventually(async () => assert.match((await root.locator('title').textContent()) ?? '', /reached by \d+ %/));
       await page.locator('#canvas').focus();
       await page.keyboard.press('Home');
       await page.locator('[role=treeitem][data-status=SUCCESS], [role=treeitem][data-status=FAILURE]').first().waitFor();
       await page.locator('[role=treeitem]').first().focus();
       await page.keyboard.press('ArrowRight');
-      assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-id')), '1');
+      await eventually(async () => assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-id')), '1'));
       await page.keyboard.press('ArrowLeft');
       await page.locator('[role=treeitem][data-id="1"][aria-expanded=false], [role=treeitem][data-id="0"]:focus').first().waitFor();
     },
@@ -88,10 +89,10 @@ export const cases = [
       await codon.focus();
       await page.keyboard.press('ArrowUp');
       await page.locator('.what-if').waitFor();
-      assert.equal(Number(await codon.textContent()), (value + 1) % 256);
+      await eventually(async () => assert.equal(Number(await codon.textContent()), (value + 1) % 256));
       await page.locator('.what-if button').click();
       await page.locator('.what-if').waitFor({ state: 'hidden' });
-      assert.equal(Number(await codon.textContent()), value);
+      await eventually(async () => assert.equal(Number(await codon.textContent()), value));
       assert.equal(await at(80), before);
     },
   ],
@@ -115,7 +116,7 @@ export const cases = [
       await page.getByRole('button', { name: 'Table', exact: true }).click();
       await page.locator('.agent-table tbody tr').nth(99).waitFor();
       await page.locator('.agent-table tbody tr').nth(7).getByRole('button').click();
-      assert.equal(await page.locator('.agent-table tr.chosen th').textContent(), '7');
+      await eventually(async () => assert.equal(await page.locator('.agent-table tr.chosen th').textContent(), '7'));
     },
   ],
   [
@@ -125,8 +126,8 @@ export const cases = [
       await seek(60);
       const rules = page.locator('#panel-tree .machine-rules tbody tr');
       await rules.nth(4).waitFor();
-      assert.equal(await rules.count(), 5);
-      assert.match((await rules.first().textContent()) ?? '', /In.*MoveTowards Hub.*If.*IsCarrying Food.*Go to.*CompositeDrop Food/);
+      await eventually(async () => assert.equal(await rules.count(), 5));
+      await eventually(async () => assert.match((await rules.first().textContent()) ?? '', /In.*MoveTowards Hub.*If.*IsCarrying Food.*Go to.*CompositeDrop Food/));
       // Of all robots: shares, and a rule rings those for which it fired.
       await rules.nth(2).getByRole('button').click();
       await page.locator('.said').filter({ hasText: /robots? fired this rule in the last tick/ }).waitFor();
@@ -134,7 +135,7 @@ export const cases = [
       await page.locator('#canvas').focus();
       await page.keyboard.press('Home');
       await page.locator('.machine-states tr.chosen').filter({ hasText: '● here' }).waitFor();
-      assert.equal(await page.locator('.machine-states tr.chosen').count(), 1);
+      await eventually(async () => assert.equal(await page.locator('.machine-states tr.chosen').count(), 1));
       assert.equal(await page.getByRole('button', { name: 'Open in workbench' }).isVisible(), false);
       const saved = page.waitForEvent('download');
       await page.getByRole('button', { name: 'Rules', exact: true }).click();

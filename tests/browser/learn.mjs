@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { learnText } from '../../www/ui/strings.learn.en.js';
+import { eventually } from './browser.mjs';
 
 const MOST_WORDS = 120;
 const folder = new URL('../../lessons/', import.meta.url);
@@ -139,14 +140,14 @@ export const cases = [
       await tabTo((name) => name === 'One robot, one rule');
       await page.keyboard.press('Enter');
       await stands(opened);
-      assert.equal(await focused(), 'One robot, one rule'); // the heading, so that a reader goes on from there
+      await eventually(async () => assert.equal(await focused(), 'One robot, one rule')); // the heading, so that a reader goes on from there
       await tabTo((name) => name.startsWith('learn-option-'));
       await page.keyboard.press('ArrowDown');
       await page.keyboard.press('ArrowDown');
       await tabTo((name) => name === 'learn-ask');
       await page.keyboard.press('Enter');
       await page.locator('.learn-findings[data-right=true]').waitFor();
-      assert.equal(await page.locator('#live').textContent(), learnText.right);
+      await eventually(async () => assert.equal(await page.locator('#live').textContent(), learnText.right));
       await tabTo((name) => name === 'canvas');
       await page.keyboard.press(' ');
       await until(() => document.body.dataset.state === 'running');
@@ -168,9 +169,9 @@ export const cases = [
       for (const hidden of ['#controls', '#inspector', '#foot', '.legend', '#seed']) assert.equal(await page.locator(hidden).isVisible(), false, hidden);
       assert.ok(await page.locator('#play').isVisible());
       await page.locator('.learn-controls').click();
-      for (const shown of ['#controls', '#inspector', '#foot', '#seed']) assert.ok(await page.locator(shown).isVisible(), shown);
+      for (const shown of ['#controls', '#inspector', '#foot', '#seed']) await eventually(async () => assert.ok(await page.locator(shown).isVisible(), shown));
       await page.locator('.learn-controls').click();
-      assert.equal(await page.locator('#controls').isVisible(), false);
+      await eventually(async () => assert.equal(await page.locator('#controls').isVisible(), false));
     },
   ],
   [
@@ -187,17 +188,17 @@ export const cases = [
       assert.equal(await page.evaluate(() => location.hash), '#/learn/1');
       await page.locator('#top').getByRole('link', { name: 'Forage' }).click();
       assert.equal(await at(50), fingerprint);
-      assert.ok(await page.locator('#controls').isVisible());
+      await eventually(async () => assert.ok(await page.locator('#controls').isVisible()));
       await page.goBack();
       await until(() => location.hash === '#/learn/1' && document.querySelector('#tick')?.textContent === '0');
-      assert.equal(await page.locator('#controls').isVisible(), false);
+      await eventually(async () => assert.equal(await page.locator('#controls').isVisible(), false));
     },
   ],
   [
     'a_lesson_that_does_not_exist_is_named',
     async (open) => {
       const { page } = await open('#/learn/99<b>x');
-      assert.match((await page.locator('.learn-unknown').textContent()) ?? '', /no lesson '99/);
+      await eventually(async () => assert.match((await page.locator('.learn-unknown').textContent()) ?? '', /no lesson '99/));
       assert.equal(await page.locator('.learn-unknown b').count(), 0);
     },
   ],
@@ -205,7 +206,7 @@ export const cases = [
     'the_worksheet_prints_a_page_for_each_lesson',
     async (open) => {
       const { page } = await open('#/learn/worksheet');
-      assert.equal(await page.locator('.sheet-page').count(), lessons.length);
+      await eventually(async () => assert.equal(await page.locator('.sheet-page').count(), lessons.length));
       const pdf = (await page.pdf({ format: 'A4' })).toString('latin1');
       assert.equal((pdf.match(/\/Type ?\/Page\b/g) ?? []).length, lessons.length);
     },

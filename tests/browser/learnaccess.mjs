@@ -54,7 +54,7 @@ export const cases = [
     async (open) => {
       const { page, until } = await open(hash, { viewport: { width: 320, height: 640 }, hasTouch: true });
       await until(() => !['loading', 'error'].includes(document.body.dataset.state ?? 'loading'));
-      await page.waitForTimeout(300);
+      await page.waitForLoadState('networkidle');
       const { scroll, client } = await page.evaluate(() => ({ scroll: document.documentElement.scrollWidth, client: document.documentElement.clientWidth }));
       assert.ok(scroll <= client, `${scroll} pixels in a window of ${client}`);
     },

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { eventually } from './browser.mjs';
 
 const preset = readFileSync(new URL('../../scenarios/foraging.json', import.meta.url), 'utf8');
 const fieldOf = (/** @type {string} */ key) => key.slice(key.indexOf('.') + 1);
@@ -53,7 +54,7 @@ export const cases = [
         if (problems.length > 0 || type !== 'text' || key === 'geese.population') continue; // a population is told in one line
         await page.evaluate((wanted) => void (location.hash = `${wanted}&t=0`), written);
         await until((wanted) => location.hash === wanted, written);
-        assert.equal(await page.locator(`[data-key="${key}"] textarea`).inputValue(), value);
+        await eventually(async () => assert.equal(await page.locator(`[data-key="${key}"] textarea`).inputValue(), value));
       }
       assert.deepEqual(lost, []);
       return `${schema.length} keys`;

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { violations } from './access.mjs';
 import { FIXED, FIXED_STEPS, FORAGING, PUBLISHED, STEPS, TICKS, TREE } from '../../www/measure/measures.js';
+import { eventually } from './browser.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const SHORT = 1 / 20;
@@ -23,7 +24,7 @@ export const cases = [
       await page.locator('#bench-run').click();
       await inState('busy');
       await inState('paused');
-      assert.match((await page.locator('#bench-said').textContent()) ?? '', /^Measured, 1 round$/);
+      await eventually(async () => assert.match((await page.locator('#bench-said').textContent()) ?? '', /^Measured, 1 round$/));
       const cells = await page.locator('.measure-table tbody tr').evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent ?? '')));
       assert.equal(cells.length, 9);
       const wanted = [
@@ -44,6 +45,7 @@ export const cases = [
       assert.deepEqual(problems, []);
       return cells.map(([what, here]) => `${what.slice(0, 12)} ${here}`).join('; ');
     },
+    'alone',
   ],
   ...['light', 'dark'].map((colorScheme) => /** @type {import('./browser.mjs').Case} */ ([
     `axe_finds_nothing_on_the_bench_page_and_in_the_film_dialog_in_${colorScheme}`,

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -13,7 +14,7 @@ export const cases = [
       assert.match(said, /'f'.*16 hexadecimal digits/);
       assert.match(said, /holds 'nonsense'/);
       await opened.openGroups();
-      assert.equal(await opened.page.locator('[data-key="geese.mutation-probability"] .number input').inputValue(), '0.2');
+      await eventually(async () => assert.equal(await opened.page.locator('[data-key="geese.mutation-probability"] .number input').inputValue(), '0.2'));
       assert.equal(await opened.page.locator('#preset').inputValue(), 'foraging');
     },
   ],
@@ -62,7 +63,7 @@ export const cases = [
       const error = editor.locator('.field-error').filter({ hasText: /line \d+, column \d+/ });
       await error.waitFor();
       await editor.locator('.line-mark').waitFor();
-      assert.equal(await editor.locator('.gutter .bad').textContent(), /line (\d+)/.exec((await error.textContent()) ?? '')?.[1]);
+      await eventually(async () => assert.equal(await editor.locator('.gutter .bad').textContent(), /line (\d+)/.exec((await error.textContent()) ?? '')?.[1]));
       assert.equal(await at(12), before);
       await page.locator('#canvas').focus();
       await page.keyboard.press('.');
@@ -95,7 +96,7 @@ export const cases = [
       await page.locator('.fault').filter({ hasText: 'panicked at a test' }).waitFor();
       await page.getByRole('button', { name: 'Reload at tick 77' }).click();
       assert.equal(await at(77), before);
-      assert.equal(await page.locator('.fault').isVisible(), false);
+      await eventually(async () => assert.equal(await page.locator('.fault').isVisible(), false));
     },
   ],
   [

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { OPENING } from '../../www/opening.js';
-import { findChromium, launch } from './browser.mjs';
+import { eventually, findChromium, launch } from './browser.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -10,9 +10,9 @@ export const cases = [
       const { page, until, inState, problems } = await open('#/', { reducedMotion: 'no-preference' });
       await inState('running');
       await until((tick) => Number(document.querySelector('#tick')?.textContent) >= tick + 5, OPENING.tick);
-      assert.equal(await page.locator('#preset').inputValue(), OPENING.preset);
-      assert.equal(await page.locator('#seed').inputValue(), String(OPENING.seed));
-      assert.match((await page.locator('.lede').textContent()) ?? '', /Nobody wrote these behaviours/);
+      await eventually(async () => assert.equal(await page.locator('#preset').inputValue(), OPENING.preset));
+      await eventually(async () => assert.equal(await page.locator('#seed').inputValue(), String(OPENING.seed)));
+      await eventually(async () => assert.match((await page.locator('.lede').textContent()) ?? '', /Nobody wrote these behaviours/));
       assert.equal(await page.locator('#still').count(), 0);
       await page.locator('#tab-charts').click(); // loads the charts
       await page.locator('.uplot').first().waitFor();
@@ -25,9 +25,9 @@ export const cases = [
     async (open) => {
       const { page, at } = await open('#/');
       await at(OPENING.tick);
-      assert.equal(await page.locator('#play').textContent(), 'Play');
-      assert.equal(await page.locator('#tag').textContent(), 'Paused');
-      assert.ok(await page.locator('#tag').isVisible());
+      await eventually(async () => assert.equal(await page.locator('#play').textContent(), 'Play'));
+      await eventually(async () => assert.equal(await page.locator('#tag').textContent(), 'Paused'));
+      await eventually(async () => assert.ok(await page.locator('#tag').isVisible()));
       await page.waitForTimeout(300);
       assert.equal(await page.locator('#tick').textContent(), String(OPENING.tick));
     },
@@ -43,8 +43,8 @@ export const cases = [
       assert.equal(await seek(Number(said('tick'))), said('fingerprint'));
       const drawing = html.slice(html.indexOf(still), html.indexOf('</svg>') + 6);
       assert.ok(drawing.length <= 12_000, `${drawing.length} bytes`);
-      const summary = (await page.locator('#summary').textContent()) ?? '';
-      const [, carrying] = /** @type {RegExpExecArray} */ (/\. (\d+) of 100 robots carry/.exec(summary));
+      const summary = page.locator('#summary').filter({ hasText: `Tick ${said('tick')}.` });
+      const [, carrying] = /** @type {RegExpExecArray} */ (/\. (\d+) of 100 robots carry/.exec((await summary.textContent()) ?? ''));
       assert.equal((drawing.match(/href="#still-c"/g) ?? []).length, Number(carrying));
       assert.equal((drawing.match(/href="#still-[rc]"/g) ?? []).length, 100);
       return `${drawing.length} bytes`;
@@ -98,7 +98,7 @@ export const cases = [
       await until(() => Number(document.querySelector('#tick')?.textContent) > 0);
       await page.locator('#play').click();
       await inState('paused');
-      assert.match(await page.evaluate(() => location.hash), new RegExp(`seed=${OPENING.seed}`));
+      await eventually(async () => assert.match(await page.evaluate(() => location.hash), new RegExp(`seed=${OPENING.seed}`)));
     },
   ],
   [
@@ -110,7 +110,7 @@ export const cases = [
       await page.reload();
       await page.locator('#from-random').click();
       await inState('running');
-      assert.ok(await page.locator('#max').isChecked());
+      await eventually(async () => assert.ok(await page.locator('#max').isChecked()));
       await until(() => location.hash.startsWith('#/forage'));
     },
   ],
@@ -158,6 +158,7 @@ export const cases = [
       assert.ok(least('paint') <= 2 * 1000 && least('ready') <= 2 * 1500, `first paint / first interaction / live world in ms: ${note}`);
       return `first paint / first interaction / live world in ms: ${note}`;
     },
+    'alone',
   ],
   [
     'first_load_stays_small',

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 import { SMALL, openPlan } from './plan.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
@@ -13,16 +14,16 @@ export const cases = [
       await drop();
       await until(() => location.hash.includes('obstacle-list') || location.hash.includes('start-list'));
       await result('optimal', 'infeasible');
-      assert.notEqual(await field('y'), -10);
-      assert.notEqual(await letters(), before);
+      await eventually(async () => assert.notEqual(await field('y'), -10));
+      await eventually(async () => assert.notEqual(await letters(), before));
       await page.keyboard.press('Control+z');
       await until(() => !location.hash.includes('start-list'));
       await result('optimal');
-      assert.equal(await letters(), before);
+      await eventually(async () => assert.equal(await letters(), before));
       await page.keyboard.press('Control+Shift+z');
       await until(() => location.hash.includes('start-list'));
       await (await drag('robot-1', 20, -20))();
-      assert.match((await page.locator('#sequence-thing').inputValue()) ?? '', /robot-1/);
+      await eventually(async () => assert.match((await page.locator('#sequence-thing').inputValue()) ?? '', /robot-1/));
       const [x, y] = [await field('x'), await field('y')];
       await page.locator('#sequence-thing').selectOption('swarm-0');
       const middle = await field('x');
@@ -140,7 +141,7 @@ export const cases = [
       await library.press('Enter');
       await until(() => location.hash.includes('sequencing.library=NE.R'));
       await planned();
-      assert.equal(await page.locator('#sequence-behaviour option').count(), 4);
+      await eventually(async () => assert.equal(await page.locator('#sequence-behaviour option').count(), 4));
     },
   ],
   [
@@ -176,7 +177,7 @@ export const cases = [
       await page.keyboard.press('ArrowRight');
       await page.keyboard.press('ArrowDown');
       await page.locator('#sequence-hand').filter({ hasText: 'Your plan' }).waitFor();
-      assert.notEqual((await letters()).charAt(1), before.charAt(1));
+      await eventually(async () => assert.notEqual((await letters()).charAt(1), before.charAt(1)));
       await page.keyboard.press('Control+z');
       await until((wanted) => [...document.querySelectorAll('#sequence .cell-letter')].map((cell) => (cell.textContent === '·' ? '.' : cell.textContent)).join('') === wanted, before);
       await reach('#sequence .stage canvas', 'Shift+Tab');

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { eventually } from './browser.mjs';
 import { SMALL, openPlan } from './plan.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
@@ -75,6 +76,7 @@ export const cases = [
       const median = (/** @type {number[]} */ list) => list.toSorted((a, b) => a - b)[Math.floor(list.length / 2)].toFixed(0);
       return `first plan after ${median(times.map(({ whole }) => whole))} ms at the median of ${times.length} placements, of which ${median(times.map(({ search }) => search))} ms are the search`;
     },
+    'alone',
   ],
   [
     'sequence_plan_is_scrubbed_stepped_and_played',
@@ -84,23 +86,23 @@ export const cases = [
       const seconds = async () => Number.parseFloat((await page.locator('#sequence-time').textContent()) ?? '');
       const press = (/** @type {string} */ name) => page.getByRole('button', { name, exact: true }).click();
       await press('0.1 s forward');
-      assert.equal(await seconds(), 0.1);
+      await eventually(async () => assert.equal(await seconds(), 0.1));
       await press('One interval forward');
-      assert.equal(await seconds(), 10);
+      await eventually(async () => assert.equal(await seconds(), 10));
       await press('0.1 s back');
-      assert.equal(await seconds(), 9.9);
+      await eventually(async () => assert.equal(await seconds(), 9.9));
       await press('One interval back');
-      assert.equal(await seconds(), 0);
+      await eventually(async () => assert.equal(await seconds(), 0));
       await page.locator('#sequence-scrub').fill('123');
-      assert.equal(await seconds(), 12.3);
+      await eventually(async () => assert.equal(await seconds(), 12.3));
       await page.locator('#sequence .play').click();
       await inState('running');
       await until(() => Number.parseFloat(document.querySelector('#sequence-time')?.textContent ?? '') > 13);
       await page.locator('#sequence .play').click();
       await inState('finished');
-      assert.ok((await seconds()) > 13);
+      await eventually(async () => assert.ok((await seconds()) > 13));
       await page.locator('#sequence .plan-cell').nth(2).click();
-      assert.equal(await seconds(), 20);
+      await eventually(async () => assert.equal(await seconds(), 20));
       await until(() => location.hash.endsWith('&t=200'));
     },
   ],
@@ -117,12 +119,12 @@ export const cases = [
       await said.filter({ hasText: 'Your plan' }).waitFor();
       const text = (await said.textContent()) ?? '';
       assert.match(text, /^Your plan (fails: in .*, robot \d+ (leaves the map|hits obstacle \d+) after \d+\.\d s\.|costs .* and does not reach the goal\.|reaches the goal for .*)$/);
-      assert.equal((await letters()).charAt(1), 'W');
+      await eventually(async () => assert.equal((await letters()).charAt(1), 'W'));
       await until(() => location.hash.includes('&plan='));
       const link = await hash();
       await page.locator('#sequence-back').click();
       await until(() => !location.hash.includes('&plan='));
-      assert.equal(await letters(), before);
+      await eventually(async () => assert.equal(await letters(), before));
       await page.keyboard.press('Control+z');
       await until(() => location.hash.includes('&plan='));
       await page.locator('#sequence-back').click();
@@ -133,12 +135,12 @@ export const cases = [
       await until(() => location.hash.includes('sequencing.prefix='));
       await planned();
       assert.ok((await letters()).startsWith(other), 'the rest is planned after what was kept');
-      assert.equal(await page.locator('#sequence .plan-cell.locked').count(), 1);
+      await eventually(async () => assert.equal(await page.locator('#sequence .plan-cell.locked').count(), 1));
       await page.locator('#sequence-lock').filter({ hasText: 'Keep none' }).click();
       await until(() => !location.hash.includes('sequencing.prefix='));
       const again = await openPlan(open, link);
       await again.page.locator('#sequence-hand').filter({ hasText: 'Your plan' }).waitFor();
-      assert.equal((await again.letters()).charAt(1), 'W');
+      await eventually(async () => assert.equal((await again.letters()).charAt(1), 'W'));
     },
   ],
   [
@@ -190,7 +192,7 @@ export const cases = [
       }
       const ended = (await page.locator('#sequence-game-result').textContent()) ?? '';
       assert.match(ended, /^(You reached the goal for|The goal was not reached|Collided after)/);
-      assert.match((await page.locator('#sequence-game-planner').textContent()) ?? '', /The planner's best so far costs .* No plan costs less than/);
+      await eventually(async () => assert.match((await page.locator('#sequence-game-planner').textContent()) ?? '', /The planner's best so far costs .* No plan costs less than/));
       await page.getByRole('button', { name: 'Show the plan' }).click();
       await page.locator('#sequence .ribbon').waitFor();
       if (ended.startsWith('You reached')) {
@@ -228,7 +230,7 @@ export const cases = [
       await page.getByRole('button', { name: 'Plan again' }).click();
       await until(() => document.body.dataset.state === 'finished');
       await result('optimal');
-      assert.equal(await letters(), before);
+      await eventually(async () => assert.equal(await letters(), before));
       await page.locator('#sequence-thing').selectOption('target-0');
       await page.locator('#sequence-x').fill('-12');
       await page.locator('#sequence-x').press('Enter');

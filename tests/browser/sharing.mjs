@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 
 /** Where each tab is shared from: a moment with a fingerprint where the tab has one. @type {[tab: string, hash: string, stands: string][]} */
 const MOMENTS = [
@@ -56,15 +57,15 @@ export const cases = [
       const second = await open(link.slice(url.length));
       await second.at(0);
       await second.openGroups();
-      for (const hidden of ['#seed', '[data-key="geese.agents"]', '#tab-tree', '#panel-tree', '#foot']) assert.equal(await second.page.locator(hidden).isVisible(), false, hidden);
-      assert.ok(await second.page.locator('[data-key="geese.items"]').isVisible());
-      assert.equal(await second.page.locator('[role=tab][aria-selected=true]').textContent(), 'Robot');
-      assert.equal(await second.page.locator('[data-layer=robots] output').textContent(), '30');
-      assert.match(await second.hash(), /hide=/);
+      for (const hidden of ['#seed', '[data-key="geese.agents"]', '#tab-tree', '#panel-tree', '#foot']) await eventually(async () => assert.equal(await second.page.locator(hidden).isVisible(), false, hidden));
+      await eventually(async () => assert.ok(await second.page.locator('[data-key="geese.items"]').isVisible()));
+      await eventually(async () => assert.equal(await second.page.locator('[role=tab][aria-selected=true]').textContent(), 'Robot'));
+      await eventually(async () => assert.equal(await second.page.locator('[data-layer=robots] output').textContent(), '30'));
+      await eventually(async () => assert.match(await second.hash(), /hide=/));
       await second.page.locator('[data-action=show-all]').click();
-      assert.ok(await second.page.locator('#seed').isVisible());
-      assert.ok(await second.page.locator('[data-key="geese.agents"]').isVisible());
-      assert.doesNotMatch(await second.hash(), /hide=/);
+      await eventually(async () => assert.ok(await second.page.locator('#seed').isVisible()));
+      await eventually(async () => assert.ok(await second.page.locator('[data-key="geese.agents"]').isVisible()));
+      await eventually(async () => assert.doesNotMatch(await second.hash(), /hide=/));
       assert.deepEqual(second.problems, []);
     },
   ],
@@ -80,7 +81,7 @@ export const cases = [
       const qr = await page.locator('.qr path').getAttribute('d');
       assert.ok((qr ?? '').length > 500);
       await page.locator('.share-embed summary').click();
-      assert.match(await page.locator('#share-frame').inputValue(), /^<iframe src="[^"]*&amp;embed=1&amp;ui=play,scrub" title="Swarm playground: Foraging" width="960" height="540"/);
+      await eventually(async () => assert.match(await page.locator('#share-frame').inputValue(), /^<iframe src="[^"]*&amp;embed=1&amp;ui=play,scrub" title="Swarm playground: Foraging" width="960" height="540"/));
       const cite = await page.locator('#share-cite').inputValue();
       for (const part of ['Foraging', 'Seed 9.', 'Tick 30.', fingerprint, link, 'BeTr-GEESE']) assert.ok(cite.includes(part), `${part} in ${cite}`);
       const download = page.waitForEvent('download');

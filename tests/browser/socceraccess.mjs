@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { violations } from './access.mjs';
+import { eventually } from './browser.mjs';
 import { openSoccer } from './pitch.mjs';
 
 const WIDTHS = [1440, 1024, 390];
@@ -87,13 +88,13 @@ export const cases = [
       await page.keyboard.press('Escape');
       await page.locator('#soccer-scrub').focus();
       for (let press = 0; press < 30; press += 1) await page.keyboard.press('ArrowRight');
-      assert.equal(await tick(), 30);
+      await eventually(async () => assert.equal(await tick(), 30));
       await page.locator('#tab-soccer-coach').focus();
       await page.keyboard.press('ArrowRight');
-      assert.equal(await page.locator('#tab-soccer-roles').getAttribute('aria-selected'), 'true');
+      await eventually(async () => assert.equal(await page.locator('#tab-soccer-roles').getAttribute('aria-selected'), 'true'));
       await page.locator('#soccer .pitch-stage.own canvas').focus();
       await page.keyboard.press('End');
-      assert.equal(await page.locator('#soccer-thing').inputValue(), '6');
+      await eventually(async () => assert.equal(await page.locator('#soccer-thing').inputValue(), '6'));
       await page.keyboard.press('Shift+ArrowUp');
       await until(() => location.hash.includes('events='));
       await page.keyboard.press('3');

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 import { openSoccer } from './pitch.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
@@ -11,17 +12,17 @@ export const cases = [
       await page.getByRole('button', { name: 'A | B' }).click();
       const said = page.locator('#soccer-compare');
       await said.filter({ hasText: /^(Identical until \d+:\d\d\.\d\.|Both matches are the same in every frame\.) At full time A ends \d+ : \d+ and B \d+ : \d+\.$/ }).waitFor();
-      assert.equal(await page.locator('#soccer .soccer-side').count(), 2);
+      await eventually(async () => assert.equal(await page.locator('#soccer .soccer-side').count(), 2));
       await seek(1000);
       await page.locator('#soccer .side-said').first().filter({ hasText: /^A: \d+ : \d+/ }).waitFor();
-      assert.equal(await page.locator('#soccer-other').inputValue(), 'machine');
+      await eventually(async () => assert.equal(await page.locator('#soccer-other').inputValue(), 'machine'));
       await page.locator('#soccer-other').selectOption('tree');
       await said.filter({ hasText: 'Both matches are the same in every frame.' }).waitFor();
       await page.locator('#soccer .play').click();
       await until(() => Number(/** @type {HTMLInputElement} */ (document.querySelector('#soccer-scrub')).value) > 1010);
       await page.locator('#soccer .play').click();
       await page.getByRole('button', { name: 'A | B' }).click();
-      assert.equal(await page.locator('#soccer .soccer-side').count(), 0);
+      await eventually(async () => assert.equal(await page.locator('#soccer .soccer-side').count(), 0));
       await page.locator('#soccer .pitch-stage.own canvas').waitFor();
       assert.deepEqual(problems, []);
     },

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { eventually } from './browser.mjs';
 import { openSoccer } from './pitch.mjs';
 
 const COACH = readFileSync('trees/soccer/coach.xml', 'utf8');
@@ -24,7 +25,7 @@ export const cases = [
       await until(() => location.hash.includes('events='));
       const made = await whole();
       assert.notEqual(made, before);
-      assert.equal(await tick(), 600, 'the moment stays');
+      await eventually(async () => assert.equal(await tick(), 600, 'the moment stays'));
       const [[x, y], [wx, wy]] = [await middle(4), await spot(0, 0.55)];
       assert.ok(Math.hypot(x - wx, y - wy) < 3, 'it stands where it was dropped');
       const list = await events();
@@ -54,7 +55,7 @@ export const cases = [
       await seek(200);
       await page.locator('#soccer .pitch-stage.own canvas').focus();
       await page.keyboard.press('PageDown');
-      assert.equal(await page.locator('#soccer-thing').inputValue(), '0');
+      await eventually(async () => assert.equal(await page.locator('#soccer-thing').inputValue(), '0'));
       const x = Number(await page.locator('#soccer-x').inputValue());
       await page.keyboard.press('ArrowRight');
       await until((before) => Math.abs(Number(/** @type {HTMLInputElement} */ (document.querySelector('#soccer-x')).value) - before - 0.01) < 0.0015, x);
@@ -68,7 +69,7 @@ export const cases = [
       assert.ok(Math.abs(kept[0].value.ball[0]) < 0.85, 'what was refused is not in the scenario');
       await page.locator('#soccer .pitch-stage.own canvas').focus();
       await page.keyboard.press('Escape');
-      assert.equal(await page.locator('#soccer-thing').inputValue(), '');
+      await eventually(async () => assert.equal(await page.locator('#soccer-thing').inputValue(), ''));
     },
   ],
   [
@@ -111,7 +112,7 @@ export const cases = [
       await page.locator('#soccer .text-problems').filter({ hasText: 'unknown role "goalkeper", did you mean "goalkeeper"?' }).waitFor();
       await type(page, COACH.replace('<LostBall/>', '<AlwaysFailure/>'));
       await until((old) => document.querySelector('#soccer-fingerprint')?.getAttribute('data-whole') === 'true' && document.querySelector('#soccer-fingerprint')?.textContent !== old, before);
-      assert.match((await page.locator('#soccer-score').textContent()) ?? '', /tree, edited/);
+      await eventually(async () => assert.match((await page.locator('#soccer-score').textContent()) ?? '', /tree, edited/));
       await until(() => location.hash.includes('soccer.blue-coach=~'));
       await page.locator('#soccer .tree .node').filter({ hasText: 'AlwaysFailure' }).first().waitFor();
       await tab('coach');
@@ -125,7 +126,7 @@ export const cases = [
     async (open) => {
       const { page, whole, until } = await openSoccer(open, '#/soccer?preset=match&seed=3&soccer.half-seconds=20&soccer.yellow=formation');
       const before = await whole();
-      assert.ok(await page.locator('[data-key="soccer.yellow-coach"] button').first().isDisabled());
+      await eventually(async () => assert.ok(await page.locator('[data-key="soccer.yellow-coach"] button').first().isDisabled()));
       await page.locator('[data-key="soccer.yellow-roles"]').getByRole('button', { name: /^Edit/ }).click();
       await page.locator('#soccer .soccer-code .cm-content').waitFor();
       const roles = readFileSync('trees/soccer/roles.xml', 'utf8');
@@ -167,13 +168,14 @@ export const cases = [
       await page.locator('#soccer-driven').selectOption('1');
       await page.getByRole('button', { name: 'Drive a robot' }).click();
       await inState('running');
+      const beyond = (/** @type {number} */ tick) => until((wanted) => Number(/** @type {HTMLInputElement} */ (document.querySelector('#soccer-scrub')).value) > wanted, tick);
       await page.keyboard.down('ArrowUp');
-      await page.waitForTimeout(700);
+      await beyond(130);
       await page.keyboard.down('ArrowLeft');
-      await page.waitForTimeout(400);
+      await beyond(await tick());
       await page.keyboard.up('ArrowLeft');
       await page.keyboard.up('ArrowUp');
-      await until(() => Number(/** @type {HTMLInputElement} */ (document.querySelector('#soccer-scrub')).value) > 150);
+      await beyond(150);
       await page.keyboard.press('Escape');
       await notice(/commands recorded as events of the scenario/);
       const fingerprint = await whole();

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
+import { eventually } from './browser.mjs';
 import { SHORT, openSoccer } from './pitch.mjs';
 
 /** @param {import('playwright-core').Page} page @param {string} name */
@@ -19,20 +20,21 @@ export const cases = [
       const fingerprint = await whole();
       const took = Date.now() - start;
       assert.match(fingerprint, /^[0-9a-f]{16}$/);
-      assert.equal(await page.locator('#soccer-scrub').getAttribute('max'), '36000', 'ten minutes');
+      await eventually(async () => assert.equal(await page.locator('#soccer-scrub').getAttribute('max'), '36000', 'ten minutes'));
       await seek(18_060);
-      assert.equal(await page.locator('#soccer-clock').textContent(), '5:01.0');
-      assert.equal(await page.locator('#soccer-time').textContent(), '0:01 second half');
+      await eventually(async () => assert.equal(await page.locator('#soccer-clock').textContent(), '5:01.0'));
+      await eventually(async () => assert.equal(await page.locator('#soccer-time').textContent(), '0:01 second half'));
       const goals = await page.locator('#soccer .marks .goal-mark').count();
       await seek(36_000);
       await inState('finished');
       const score = [await page.locator('#soccer-goals-blue').textContent(), await page.locator('#soccer-goals-yellow').textContent()].map(Number);
       assert.equal(score[0] + score[1], goals, 'a mark for every goal');
-      assert.match((await page.locator('#soccer-tag').textContent()) ?? '', /^Finished: full time, /);
+      await eventually(async () => assert.match((await page.locator('#soccer-tag').textContent()) ?? '', /^Finished: full time, /));
       await until(() => location.hash.includes('t=36000&f='));
       assert.deepEqual(problems, []);
       return `ten minutes computed and shown ${took} ms after the page was there`;
     },
+    'alone',
   ],
   [
     'soccer_engine_is_loaded_with_its_tab_only',
@@ -53,7 +55,7 @@ export const cases = [
       const again = await openSoccer(open, hash);
       await again.notice(/The whole match was played and its fingerprint matches/);
       assert.equal(await again.whole(), fingerprint);
-      assert.equal(await again.tick(), 700);
+      await eventually(async () => assert.equal(await again.tick(), 700));
       const wrong = await openSoccer(open, `${hash.replace(/f=[0-9a-f]{16}/, 'f=0123456789abcdef')}&nonsense=1`);
       await wrong.notice(/The fingerprint of the whole match does not match: expected 0123456789abcdef/);
       await wrong.notice(/The link holds 'nonsense'/);
@@ -71,15 +73,14 @@ export const cases = [
       await inState('paused');
       await seek(100);
       await page.keyboard.press('.');
-      assert.equal(await tick(), 101);
+      await eventually(async () => assert.equal(await tick(), 101));
       await page.keyboard.press(',');
-      assert.equal(await tick(), 100);
+      await eventually(async () => assert.equal(await tick(), 100));
       await page.keyboard.press('>');
-      const call = await tick();
-      assert.ok(call > 100, 'to the next call');
-      assert.match((await page.locator('#soccer-call').textContent()) ?? '', /^(Goal|Free ball|Penalty kick|Goal kick|Kick-off|Full time).* because /);
+      await eventually(async () => assert.ok((await tick()) > 100, 'to the next call'));
+      await eventually(async () => assert.match((await page.locator('#soccer-call').textContent()) ?? '', /^(Goal|Free ball|Penalty kick|Goal kick|Kick-off|Full time).* because /));
       await page.keyboard.press('r');
-      assert.equal(await tick(), 0);
+      await eventually(async () => assert.equal(await tick(), 0));
     },
   ],
   [
@@ -106,29 +107,29 @@ export const cases = [
       await page.locator('#soccer .tree .node').filter({ hasText: 'RolesSwapperInitializer' }).first().waitFor();
       await team('Yellow');
       await page.locator('#soccer .statechart .state.now').waitFor();
-      assert.equal(await page.locator('#soccer .statechart .state').count(), 8);
-      assert.equal(await page.locator('#soccer .statechart .way').count(), 11);
+      await eventually(async () => assert.equal(await page.locator('#soccer .statechart .state').count(), 8));
+      await eventually(async () => assert.equal(await page.locator('#soccer .statechart .way').count(), 11));
       await page.locator('#soccer .guards tbody tr').first().waitFor();
       await tab('roles');
-      assert.equal(await page.locator('#soccer .who tbody tr').count(), 3);
+      await eventually(async () => assert.equal(await page.locator('#soccer .who tbody tr').count(), 3));
       await page.locator('#soccer .role-line .role-box').first().waitFor();
       await page.locator('#panel-soccer-roles').getByRole('button', { name: 'Yellow 2' }).click();
       await page.locator('#panel-soccer-roles h2').filter({ hasText: 'played by Yellow 2' }).waitFor();
       await page.locator('#panel-soccer-roles .tree .node').first().waitFor();
       await tab('organisation');
       await page.locator('#soccer .violations').filter({ hasText: 'No change broke the organisation' }).waitFor();
-      assert.equal(await page.locator('#soccer .org-role').count(), 8);
-      assert.equal(await page.locator('#soccer .org-role.held').count(), 3);
-      assert.equal(await page.locator('#soccer .org-group.active').count(), 1);
+      await eventually(async () => assert.equal(await page.locator('#soccer .org-role').count(), 8));
+      await eventually(async () => assert.equal(await page.locator('#soccer .org-role.held').count(), 3));
+      await eventually(async () => assert.equal(await page.locator('#soccer .org-group.active').count(), 1));
       await tab('log');
       const line = page.locator('#soccer .log tbody tr').last();
       const [minutes, seconds] = ((await line.locator('button').textContent()) ?? '').split(':').map(Number);
       await line.locator('button').click();
-      assert.ok(Math.abs((await tick()) / 60 - 60 * minutes - seconds) < 0.1, 'the line leads to its moment');
+      await eventually(async () => assert.ok(Math.abs((await tick()) / 60 - 60 * minutes - seconds) < 0.1, 'the line leads to its moment'));
       await page.locator('#panel-soccer-log').getByRole('button', { name: 'Coaches' }).click();
       await page.locator('#soccer .log .deed').first().waitFor();
       await tab('charts');
-      assert.equal(await page.locator('#panel-soccer-charts .uplot').count(), 4);
+      await eventually(async () => assert.equal(await page.locator('#panel-soccer-charts .uplot').count(), 4));
       await page.locator('#panel-soccer-charts .numbers summary').click();
       await page.locator('#panel-soccer-charts .numbers tbody tr').nth(1).waitFor();
       await until(() => document.querySelector('#soccer-summary')?.textContent?.startsWith('0:'));
@@ -143,7 +144,7 @@ export const cases = [
       await seek(1);
       await page.locator('#panel-soccer-coach').getByText('At the call that led here').waitFor();
       const assigned = page.locator('#soccer .tree .node').filter({ hasText: 'AssignStartRoles' }).first();
-      assert.equal(await assigned.getAttribute('data-status'), 'SUCCESS');
+      await eventually(async () => assert.equal(await assigned.getAttribute('data-status'), 'SUCCESS'));
     },
   ],
   [
@@ -154,7 +155,7 @@ export const cases = [
       await page.locator('[id="control-soccer.yellow"]').selectOption('chase');
       await until((old) => document.querySelector('#soccer-fingerprint')?.getAttribute('data-whole') === 'true' && document.querySelector('#soccer-fingerprint')?.textContent !== old, before);
       await until(() => location.hash.includes('soccer.yellow=chase'));
-      assert.match((await page.locator('#soccer-score').textContent()) ?? '', /two chasers/);
+      await eventually(async () => assert.match((await page.locator('#soccer-score').textContent()) ?? '', /two chasers/));
       await page.locator('#soccer-seed').fill('-1');
       await page.locator('#soccer-seed').press('Enter');
       await page.locator('#soccer-seed-error').filter({ hasText: 'expected a whole number' }).waitFor();
@@ -225,7 +226,7 @@ export const cases = [
       await page.getByRole('button', { name: 'Play again' }).click();
       await inState('paused');
       assert.equal(await whole(), before);
-      assert.equal(await tick(), 300);
+      await eventually(async () => assert.equal(await tick(), 300));
     },
   ],
 ];

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -35,11 +36,11 @@ export const cases = [
       const { page, inState } = await open();
       await page.keyboard.press(' ');
       await inState('running');
-      assert.equal(await page.locator('#play').textContent(), 'Pause');
+      await eventually(async () => assert.equal(await page.locator('#play').textContent(), 'Pause'));
       await page.locator('#play').focus();
       await page.keyboard.press(' ');
       await inState('paused');
-      assert.equal(await page.locator('#play').textContent(), 'Play');
+      await eventually(async () => assert.equal(await page.locator('#play').textContent(), 'Play'));
     },
   ],
   [
@@ -54,7 +55,7 @@ export const cases = [
       await page.locator('.keys-dialog button').click();
       await page.locator('#canvas').focus();
       await page.keyboard.press('.');
-      assert.equal(await page.locator('[aria-keyshortcuts]').count(), 0);
+      await eventually(async () => assert.equal(await page.locator('[aria-keyshortcuts]').count(), 0));
       assert.equal(await tick(), 0);
     },
   ],
@@ -74,7 +75,7 @@ export const cases = [
       await seek(70);
       await page.locator('[data-action=restart]').click();
       assert.equal(await at(0), start);
-      assert.equal(await page.locator('#seed').inputValue(), '42');
+      await eventually(async () => assert.equal(await page.locator('#seed').inputValue(), '42'));
       await page.locator('[data-action=new-seed]').click();
       await until(() => /^\d{6}$/.test(/** @type {HTMLInputElement} */ (document.querySelector('#seed')).value));
       await until((old) => document.querySelector('#fingerprint')?.textContent !== old, start);

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { packed } from './bench.mjs';
+import { eventually } from './browser.mjs';
 
 /** @typedef {import('./browser.mjs').Open} Open */
 
@@ -81,12 +82,7 @@ export async function openStudy(open, hash, options = {}) {
 
     /** Waits for workers that make runs; gives one. @param {(worker: import('playwright-core').Worker) => boolean} [other] which one will do */
     async hand(other = () => true) {
-      for (let tries = 0; tries < 400; tries += 1) {
-        const found = study.hands().find(other);
-        if (found) return found;
-        await page.waitForTimeout(20);
-      }
-      return assert.fail('there is no worker');
+      return eventually(() => study.hands().find(other) ?? assert.fail('there is no worker'));
     },
   };
   if (!/^#\/studies$/.test(hash)) await study.ready();

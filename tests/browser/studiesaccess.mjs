@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { violations } from './access.mjs';
+import { eventually } from './browser.mjs';
 import { SPEC, linkTo, openStudy } from './studies.mjs';
 
 const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
@@ -130,10 +131,10 @@ export const cases = [
       await page.evaluate(() => /** @type {HTMLElement} */ (document.activeElement).blur());
       await page.keyboard.press(' ');
       await inState('busy');
-      assert.match((await page.locator('#live').textContent()) ?? '', /^Running: 10 runs to make$/);
+      await eventually(async () => assert.match((await page.locator('#live').textContent()) ?? '', /^Running: 10 runs to make$/));
       await page.keyboard.press(' ');
       await inState('paused');
-      assert.match((await page.locator('#live').textContent()) ?? '', /^Paused: \d+ of 10 runs made$/);
+      await eventually(async () => assert.match((await page.locator('#live').textContent()) ?? '', /^Paused: \d+ of 10 runs made$/));
       assert.equal(await page.locator('[aria-live]').count(), 1);
     },
   ],

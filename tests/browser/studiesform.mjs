@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { packed } from './bench.mjs';
+import { eventually } from './browser.mjs';
 import { SPEC, linkTo, openStudy } from './studies.mjs';
 
 const file = (/** @type {string} */ name) => fileURLToPath(new URL(`../../studies/${name}.json`, import.meta.url));
@@ -53,8 +54,8 @@ export const cases = [
         await study.type(JSON.stringify({ ...SPEC, ...changes }, null, 2));
         const place = page.locator(`[data-path="${path}"] > .field-error`);
         await place.filter({ hasText: message }).waitFor();
-        assert.match((await page.locator('#studies-fault').textContent()) ?? '', message);
-        assert.equal(await page.locator('.studies-results .stale').textContent(), 'The text has a fault. What runs and is reported is the last valid study.');
+        await eventually(async () => assert.match((await page.locator('#studies-fault').textContent()) ?? '', message));
+        await eventually(async () => assert.equal(await page.locator('.studies-results .stale').textContent(), 'The text has a fault. What runs and is reported is the last valid study.'));
         assert.deepEqual(await study.done(), [10, 10]);
         await page.getByRole('button', { name: 'Show the place' }).click();
         const chosen = await study.text.evaluate((area) => {
@@ -86,9 +87,8 @@ export const cases = [
       await page.locator('[id="study-grid-add"]').selectOption({ label: 'Mutation' });
       await page.locator('[data-path=grid]').getByRole('button', { name: 'Add' }).click();
       const boxes = page.locator('[data-path="grid.geese.mutation-mode"] input');
-      assert.equal(await boxes.first().isChecked(), true, 'it begins with its default');
+      await eventually(async () => assert.equal(await boxes.first().isChecked(), true, 'it begins with its default'));
       await boxes.nth(1).check();
-      await until(() => /^0 of 30 runs/.test(document.querySelector('#studies-done')?.textContent ?? ''), undefined).catch(() => {});
       // The test and the paper's value still name cells of before.
       await page.locator('#studies-fault').filter({ hasText: /cell's name such as/ }).waitFor();
       const { tests, paper, ...others } = await held(study);
@@ -104,7 +104,7 @@ export const cases = [
       await study.type(JSON.stringify({ ...(await held(study)), title: 'Another title' }));
       await page.locator('#studies-title').filter({ hasText: 'Another title' }).waitFor();
       await page.locator('#studies-part-words summary').click();
-      assert.equal(await page.locator('#study-title').inputValue(), 'Another title');
+      await eventually(async () => assert.equal(await page.locator('#study-title').inputValue(), 'Another title'));
       await page.locator('#studies-part-cells summary').click();
       await page.getByRole('button', { name: 'Add a cell' }).click();
       await page.locator('[id="study-cells[0]"] summary').click();
@@ -131,7 +131,7 @@ export const cases = [
       assert.ok(before >= 1);
       await study.type(JSON.stringify({ ...(await held(study)), scenario: { ...SPEC.scenario, steps: 4001 } }));
       await study.inState('paused');
-      assert.deepEqual(await study.done(), [0, 10]);
+      await eventually(async () => assert.deepEqual(await study.done(), [0, 10]));
       await study.type(JSON.stringify({ ...(await held(study)), scenario: { ...SPEC.scenario, steps: 4000 } }));
       await study.made(before);
     },
@@ -173,8 +173,8 @@ export const cases = [
       await page.getByRole('link', { name: 'All studies' }).click();
       await page.locator('input[type=file]').setInputFiles({ name: 'cut.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(SPEC).slice(0, 100)) });
       await page.locator('#studies-fault').filter({ hasText: /EOF while parsing/ }).waitFor();
-      assert.equal(await page.locator('.studies-results .stale').textContent(), 'The text is no valid study yet; its fault stands beside it.');
-      assert.ok(await study.run.isDisabled(), 'the study that was open before is not what runs');
+      await eventually(async () => assert.equal(await page.locator('.studies-results .stale').textContent(), 'The text is no valid study yet; its fault stands beside it.'));
+      await eventually(async () => assert.ok(await study.run.isDisabled(), 'the study that was open before is not what runs'));
       await page.getByRole('link', { name: 'All studies' }).click();
       await page.evaluate((text) => navigator.clipboard.writeText(text), JSON.stringify({ ...SPEC, title: 'Pasted' }));
       await page.getByRole('button', { name: 'Paste' }).click();
@@ -188,15 +188,15 @@ export const cases = [
       const study = await openStudy(open, '#/studies/success?size=paper', { acceptDownloads: true });
       const { page } = study;
       await page.locator('.studies-large').filter({ hasText: 'too large for a page: 768 runs' }).waitFor();
-      assert.equal(await page.locator('.command').textContent(), 'cargo run --release -- study studies/success.json --out success.csv');
+      await eventually(async () => assert.equal(await page.locator('.command').textContent(), 'cargo run --release -- study studies/success.json --out success.csv'));
       await page.locator('.studies-source').filter({ hasText: 'made by the command line and are part of the project: results/success.csv' }).waitFor();
       await page.locator('.studies-extent').filter({ hasText: '16 of 16 seeds from 1 in each cell.' }).waitFor();
       assert.doesNotMatch((await page.locator('.studies-source').textContent()) ?? '', /another state/);
-      assert.match((await page.locator('[data-section=paper]').textContent()) ?? '', /BeTr-GEESE, foraging, robust.*not reproduced/);
+      await eventually(async () => assert.match((await page.locator('[data-section=paper]').textContent()) ?? '', /BeTr-GEESE, foraging, robust.*not reproduced/));
       assert.equal(await study.csv(), readFileSync(fileURLToPath(new URL('../../results/success.csv', import.meta.url)), 'utf8'));
       await page.getByRole('button', { name: 'Made here: 0 of 768' }).click();
       await page.locator('.studies-extent').filter({ hasText: 'No run has been made yet' }).waitFor();
-      assert.ok(await page.locator('.studies-source').isHidden());
+      await eventually(async () => assert.ok(await page.locator('.studies-source').isHidden()));
       assert.deepEqual(study.problems, []);
     },
   ],

@@ -1,20 +1,24 @@
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFile } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
+import { eventually } from './browser.mjs';
 import { SPEC, linkTo, openStudy } from './studies.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
+const cargo = async (/** @type {string[]} */ ...words) => (await promisify(execFile)('cargo', ['run', '--locked', '--quiet', '--', ...words], { cwd: root })).stdout;
+
 /** The files that the command line writes for a study. @param {string[]} words */
-function native(...words) {
+async function native(...words) {
   const folder = mkdtempSync(join(tmpdir(), 'swarm-studies-'));
   try {
     const out = join(folder, 'out.csv');
-    execFileSync('cargo', ['run', '--quiet', '--', 'study', ...words, '--jobs', '2', '--out', out], { cwd: root, stdio: ['ignore', 'ignore', 'inherit'] });
-    const report = execFileSync('cargo', ['run', '--quiet', '--', 'report', out, '--svg', join(folder, 'out.svg')], { cwd: root, encoding: 'utf8' });
+    await cargo('study', ...words, '--jobs', '2', '--out', out);
+    const report = await cargo('report', out, '--svg', join(folder, 'out.svg'));
     return { csv: readFileSync(out, 'utf8'), spec: readFileSync(join(folder, 'out.study.json'), 'utf8'), svg: readFileSync(join(folder, 'out.svg'), 'utf8'), report };
   } finally {
     rmSync(folder, { recursive: true });
@@ -30,7 +34,7 @@ export const cases = [
       assert.deepEqual(await study.done(), [0, 10]);
       await study.page.locator('#studies-workers').fill('2');
       await study.finish();
-      const wanted = native('studies/agents.json', '--size', 'glance');
+      const wanted = await native('studies/agents.json', '--size', 'glance');
       assert.equal(await study.csv(), wanted.csv);
       const spec = await study.saved('Spec');
       assert.deepEqual([spec.name, spec.bytes.toString()], ['agents-glance.study.json', wanted.spec]);
@@ -46,12 +50,12 @@ export const cases = [
     async (open) => {
       const study = await openStudy(open, '#/studies/search-variants?size=glance', { acceptDownloads: true });
       await study.finish();
-      const wanted = native('studies/search-variants.json', '--size', 'glance');
+      const wanted = await native('studies/search-variants.json', '--size', 'glance');
       assert.equal(await study.csv(), wanted.csv);
       assert.equal((await study.saved('Report')).bytes.toString(), wanted.report);
       const { page } = study;
       await page.locator('#studies-part-metrics summary').click();
-      assert.deepEqual([await page.locator('#study-metric-integrations').isChecked(), await page.locator('#study-metric-share').count()], [true, 0]);
+      await eventually(async () => assert.deepEqual([await page.locator('#study-metric-integrations').isChecked(), await page.locator('#study-metric-share').count()], [true, 0]));
       const offered = await page.locator('#studies-part-scenario option').evaluateAll((options) => options.map((option) => /** @type {HTMLOptionElement} */ (option).value));
       assert.ok(offered.includes('sequencing.robots') && !offered.some((key) => key.startsWith('geese.')), offered.join(' '));
       assert.deepEqual(study.problems, []);
@@ -62,7 +66,7 @@ export const cases = [
     async (open) => {
       const study = await openStudy(open, '#/studies/coaches?size=glance', { acceptDownloads: true });
       await study.finish();
-      const wanted = native('studies/coaches.json', '--size', 'glance');
+      const wanted = await native('studies/coaches.json', '--size', 'glance');
       assert.equal(await study.csv(), wanted.csv);
       assert.equal((await study.saved('Report')).bytes.toString(), wanted.report);
       assert.equal((await study.saved('SVG')).bytes.toString(), wanted.svg);
@@ -100,9 +104,15 @@ export const cases = [
       await study.made(2);
       await run.click();
       await inState('paused');
-      await page.waitForTimeout(300); // a row that was under way to the page as it was paused still arrives
       assert.match((await run.textContent()) ?? '', /^(Resume|Continue)$/);
-      const [before] = await study.done();
+      // A row that was under way to the page as it was paused still arrives.
+      const before = await eventually(async () => {
+        const [made] = await study.done();
+        await page.waitForTimeout(300);
+        assert.equal((await study.done())[0], made);
+        return made;
+      });
+      assert.ok(before < 10, 'some are left to make');
       await page.waitForTimeout(700);
       assert.equal((await study.done())[0], before, 'nothing goes on while it is paused');
       await run.click();
@@ -146,10 +156,11 @@ export const cases = [
       await study.run.click();
       /** @type {import('playwright-core').Worker[]} */
       const known = [];
-      for (let deaths = 0; deaths < 3; deaths += 1) {
-        const hand = await study.hand((worker) => !known.includes(worker));
+      // A worker that has no run yet has none to lose: then one more has to break.
+      for (let breaks = 0; breaks < 12 && (await study.done())[0] === 0; breaks += 1) {
+        const hand = await Promise.race([study.hand((worker) => !known.includes(worker)), study.made(1).then(() => null)]);
+        if (!hand) break;
         known.push(hand);
-        // Once it has a run: a worker that is not ready yet has none to lose.
         await hand.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)));
         await hand.evaluate(() => void setTimeout(() => { throw new Error('broken by the test'); }));
       }
@@ -170,13 +181,13 @@ export const cases = [
       assert.ok(await page.locator('.studies-figure').isVisible(), 'the figure is there before the end');
       await study.finished();
       const section = (/** @type {string} */ name) => page.locator(`[data-section=${name}]`);
-      assert.match((await section('paper').locator('tbody').textContent()) ?? '', /not reproduced/);
-      assert.equal(await page.locator('.studies-verdicts').textContent(), 'The paper’s values: 1 not reproduced.');
-      assert.match((await section('tests').locator('tbody').textContent()) ?? '', /Mann-Whitney U.*A12/);
-      assert.deepEqual(await section('mean_diversity').locator('thead th').allTextContents(), ['cell', 'runs', 'mean', 'sd', 'median', 'quartiles', 'range']);
+      await eventually(async () => assert.match((await section('paper').locator('tbody').textContent()) ?? '', /not reproduced/));
+      await eventually(async () => assert.equal(await page.locator('.studies-verdicts').textContent(), 'The paper’s values: 1 not reproduced.'));
+      await eventually(async () => assert.match((await section('tests').locator('tbody').textContent()) ?? '', /Mann-Whitney U.*A12/));
+      await eventually(async () => assert.deepEqual(await section('mean_diversity').locator('thead th').allTextContents(), ['cell', 'runs', 'mean', 'sd', 'median', 'quartiles', 'range']));
       await page.locator('.studies-more summary').click();
-      assert.match((await section('success').locator('thead').textContent()) ?? '', /Wilson/);
-      assert.ok(await page.locator('.studies-figure').evaluate((image) => /** @type {HTMLImageElement} */ (image).naturalWidth > 0));
+      await eventually(async () => assert.match((await section('success').locator('thead').textContent()) ?? '', /Wilson/));
+      await eventually(async () => assert.ok(await page.locator('.studies-figure').evaluate((image) => /** @type {HTMLImageElement} */ (image).naturalWidth > 0)));
       assert.deepEqual(study.problems, []);
     },
   ],
@@ -296,7 +307,7 @@ export const cases = [
       await page.getByRole('button', { name: 'Start it again' }).click();
       await inState('paused');
       await study.ready();
-      assert.ok((await study.done())[0] >= 2);
+      await eventually(async () => assert.ok((await study.done())[0] >= 2));
       await study.finish();
     },
   ],
@@ -322,11 +333,11 @@ export const cases = [
       await page.locator('#trees-fingerprint').filter({ hasText: /^[0-9a-f]{16}$/ }).waitFor();
       await page.getByRole('link', { name: 'Studies' }).click();
       await inState('paused');
-      assert.equal(await study.run.textContent(), 'Resume');
-      assert.match((await page.locator('#studies-done').textContent()) ?? '', /1 run under way/);
+      await eventually(async () => assert.equal(await study.run.textContent(), 'Resume'));
+      await eventually(async () => assert.match((await page.locator('#studies-done').textContent()) ?? '', /1 run under way/));
       await study.stop.click();
-      for (let tries = 0; study.hands().some((worker) => !/trees/.test(worker.url())) && tries < 200; tries += 1) await page.waitForTimeout(20);
-      assert.ok(await study.stop.isDisabled());
+      await eventually(() => assert.deepEqual(study.hands().map((worker) => worker.url()).filter((url) => !/trees/.test(url)), []));
+      await eventually(async () => assert.ok(await study.stop.isDisabled()));
     },
   ],
 ];

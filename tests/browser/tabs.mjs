@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -7,22 +8,22 @@ export const cases = [
     async (open) => {
       const { page, at, inState, until, problems } = await open('', { reducedMotion: 'no-preference' });
       await inState('running');
-      assert.equal(await page.title(), 'Forage · Swarm playground');
+      await eventually(async () => assert.equal(await page.title(), 'Forage · Swarm playground'));
       await page.getByRole('link', { name: 'Trees' }).click();
       await page.locator('#trees-fingerprint').filter({ hasText: /^[0-9a-f]{16}$/ }).waitFor();
       await inState('paused');
-      assert.equal(await page.title(), 'Trees · Swarm playground');
-      assert.equal(await page.locator('nav [aria-current=page]').textContent(), 'Trees');
-      assert.equal(await page.locator('#world').isVisible(), false);
+      await eventually(async () => assert.equal(await page.title(), 'Trees · Swarm playground'));
+      await eventually(async () => assert.equal(await page.locator('nav [aria-current=page]').textContent(), 'Trees'));
+      await eventually(async () => assert.equal(await page.locator('#world').isVisible(), false));
       await until(() => location.hash.startsWith('#/trees?v='));
       await page.goBack();
       await inState('paused'); // it was paused when it was left
       await until(() => location.hash.startsWith('#/forage?v='));
       await at(Number(await page.locator('#tick').textContent()));
-      assert.equal(await page.locator('.trees-frame').isVisible(), false);
+      await eventually(async () => assert.equal(await page.locator('.trees-frame').isVisible(), false));
       await page.goForward();
       await until(() => location.hash.startsWith('#/trees?v='));
-      assert.ok(await page.locator('.trees-frame').isVisible());
+      await eventually(async () => assert.ok(await page.locator('.trees-frame').isVisible()));
       assert.deepEqual(problems, []);
     },
   ],
@@ -42,7 +43,7 @@ export const cases = [
       assert.equal(await at(70), fingerprint);
       await page.getByRole('link', { name: 'Trees' }).click();
       await until((wanted) => location.hash === wanted, trees);
-      assert.equal(await page.locator('#trees-tick').textContent(), '3');
+      await eventually(async () => assert.equal(await page.locator('#trees-tick').textContent(), '3'));
     },
   ],
   [

@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { eventually } from './browser.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -7,8 +8,8 @@ export const cases = [
     async (open) => {
       const { page, seek, problems } = await open('#/forage?preset=nest');
       await seek(300);
-      assert.match((await page.locator('[data-layer=food]').textContent()) ?? '', /^Debris \d+$/);
-      assert.match((await page.locator('#summary').textContent()) ?? '', /^Tick 300\. \d+ of 100 robots carry debris\. Delivered \d+ of 100\.$/);
+      await eventually(async () => assert.match((await page.locator('[data-layer=food]').textContent()) ?? '', /^Debris \d+$/));
+      await eventually(async () => assert.match((await page.locator('#summary').textContent()) ?? '', /^Tick 300\. \d+ of 100 robots carry debris\. Delivered \d+ of 100\.$/));
       const names = await page.locator('.place-names text').allTextContents();
       assert.match(names.join(' | '), /^Hub \| Boundary \d+ \/ 100$/);
       assert.deepEqual(problems, []);
@@ -31,7 +32,7 @@ export const cases = [
       await at(0);
       await openGroups();
       const rules = page.locator('[data-key="geese.grammar"] textarea');
-      assert.match(await rules.inputValue(), /<s> ::= Hub \| Sites/);
+      await eventually(async () => assert.match(await rules.inputValue(), /<s> ::= Hub \| Sites/));
       await page.locator('[data-key="geese.task"] select').selectOption('nest');
       await page.locator('#apply').click();
       await until(() => /<s> ::= Hub \| Boundary/.test(/** @type {HTMLTextAreaElement} */ (document.querySelector('[data-key="geese.grammar"] textarea')).value));
@@ -48,7 +49,7 @@ export const cases = [
       await page.getByRole('tab', { name: 'Robot' }).click();
       const list = page.locator('.facts-list').nth(1);
       await list.getByText('V Feedback B').waitFor();
-      assert.match((await list.textContent()) ?? '', /III Prospective[01]IV Task\d+V Feedback B-?\d+ \(does not count\)/);
+      await eventually(async () => assert.match((await list.textContent()) ?? '', /III Prospective[01]IV Task\d+V Feedback B-?\d+ \(does not count\)/));
     },
   ],
   [
@@ -56,7 +57,7 @@ export const cases = [
     async (open) => {
       const { page, seek, until, problems } = await open('#/forage?preset=hand-tree');
       await seek(100);
-      assert.match((await page.locator('.lede').textContent()) ?? '', /^These behaviours were written by hand/);
+      await eventually(async () => assert.match((await page.locator('.lede').textContent()) ?? '', /^These behaviours were written by hand/));
       await page.locator('#preset').selectOption('foraging');
       await until(() => /^Nobody wrote these behaviours/.test(document.querySelector('.lede')?.textContent ?? ''));
       assert.deepEqual(problems, []);

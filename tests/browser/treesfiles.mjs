@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { SMALL, documentOf, openBench, packed } from './bench.mjs';
+import { eventually } from './browser.mjs';
 
 const library = JSON.parse(readFileSync(new URL('../../trees/library.json', import.meta.url), 'utf8'));
 
@@ -27,7 +28,7 @@ export const cases = [
         await entry(file.replace('.xml', ''));
         await at(tick);
         await problems('No problems');
-        assert.equal(await page.locator('.watch').textContent(), watch, title);
+        await eventually(async () => assert.equal(await page.locator('.watch').textContent(), watch, title));
       }
       assert.equal(await page.locator('.notice.problem').count(), 0);
       return `${library.length} trees`;
@@ -50,8 +51,8 @@ export const cases = [
       const second = await openBench(open, hash);
       assert.equal(await second.at(6), fingerprint);
       await second.notice(/fingerprint matches/);
-      assert.ok((await second.text()).includes('grasp'));
-      assert.equal(await second.page.locator('#trees-ms').inputValue(), '30');
+      await eventually(async () => assert.ok((await second.text()).includes('grasp')));
+      await eventually(async () => assert.equal(await second.page.locator('#trees-ms').inputValue(), '30'));
       assert.deepEqual(second.said(), []);
     },
   ],
@@ -136,12 +137,12 @@ export const cases = [
       await drop(page, 'mine.xml', SMALL);
       await notice(/Opened: mine\.xml/);
       await problems('No problems');
-      assert.equal(await page.locator('#trees-entry').inputValue(), 'own');
+      await eventually(async () => assert.equal(await page.locator('#trees-entry').inputValue(), 'own'));
       await page.getByRole('button', { name: 'Restore what I typed' }).waitFor();
-      assert.ok((await text()).includes('grasp'));
+      await eventually(async () => assert.ok((await text()).includes('grasp')));
       await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).click();
       await page.waitForFunction((wanted) => [...(document.querySelector('.trees-code')?.shadowRoot?.querySelectorAll('.cm-line') ?? [])].map((line) => line.textContent).join('\n') === wanted, before);
-      assert.equal(await page.locator('#trees-entry').inputValue(), 'entry:retry');
+      await eventually(async () => assert.equal(await page.locator('#trees-entry').inputValue(), 'entry:retry'));
       await drop(page, 'bad.json', '{"xml": 3}');
       await notice(/bad\.json was not opened/);
     },
@@ -165,7 +166,7 @@ export const cases = [
       await page.waitForFunction(() => document.querySelector('.trees-code')?.shadowRoot?.textContent?.includes('grasp'));
       await page.locator('#tab-script').click();
       await page.getByText('Near → SKIPPED').waitFor();
-      assert.ok((await text()).includes('grasp'));
+      await eventually(async () => assert.ok((await text()).includes('grasp')));
     },
   ],
   [
@@ -204,7 +205,7 @@ export const cases = [
       await page.locator('.problems-head').filter({ hasText: 'No problems' }).waitFor();
       await until(() => location.hash.startsWith('#/trees?') && location.hash.includes('xml=~'));
       await page.locator('.trees-stage > .bench [role=treeitem]').nth(1).waitFor();
-      assert.equal(await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).isDisabled(), false);
+      await eventually(async () => assert.equal(await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).isDisabled(), false));
       await page.getByRole('link', { name: 'Forage' }).click();
       await until(() => location.hash.includes('t=60'));
       assert.deepEqual(seen(), []);

@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { SMALL, documentOf, openBench, packed } from './bench.mjs';
+import { eventually } from './browser.mjs';
 
 const RETRY = documentOf('<RetryUntilSuccessful num_attempts="3"><Push/></RetryUntilSuccessful>', '<Action ID="Push"/>');
 const FAILING = JSON.stringify([{ tick: 0, leaf: 'Push', then: 'FAILURE' }]);
@@ -18,7 +19,7 @@ export const cases = [
       await at(3);
       await page.locator('#trees [data-action=back]').click();
       await at(2);
-      assert.equal(await page.locator('#trees-scrub').getAttribute('max'), '3');
+      await eventually(async () => assert.equal(await page.locator('#trees-scrub').getAttribute('max'), '3'));
       assert.equal(await seek(1), first);
       await page.locator('#trees-speed').fill('100');
       await page.locator('#trees .play').click();
@@ -29,7 +30,7 @@ export const cases = [
       assert.equal(await seek(1), first);
       await page.locator('#trees [data-action=restart]').click();
       assert.equal(await at(0), start);
-      assert.equal(await page.locator('#trees-scrub').getAttribute('max'), '0');
+      await eventually(async () => assert.equal(await page.locator('#trees-scrub').getAttribute('max'), '0'));
     },
   ],
   [
@@ -70,7 +71,7 @@ export const cases = [
       }
       await page.keyboard.press('s');
       await until(() => document.querySelector('.events tbody')?.children.length === 0);
-      assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('role')), 'treeitem');
+      await eventually(async () => assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('role')), 'treeitem'));
       await page.keyboard.press('.');
       await at(1);
       await page.keyboard.press(',');
@@ -91,15 +92,15 @@ export const cases = [
       await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).waitFor();
       await step(2);
       await at(2);
-      assert.match((await root()) ?? '', /RUNNING/);
+      await eventually(async () => assert.match((await root()) ?? '', /RUNNING/));
       await page.getByText('2 ticks RUNNING so far').waitFor();
       await step();
       await at(3);
-      assert.match((await root()) ?? '', /SUCCESS/);
+      await eventually(async () => assert.match((await root()) ?? '', /SUCCESS/));
       await tab('board');
       const row = page.locator('[data-entry=target]');
-      assert.equal(await row.locator('input').inputValue(), 'cup');
-      assert.match((await row.textContent()) ?? '', /text.*Look.*tick 3/);
+      await eventually(async () => assert.equal(await row.locator('input').inputValue(), 'cup'));
+      await eventually(async () => assert.match((await row.textContent()) ?? '', /text.*Look.*tick 3/));
       await row.getByRole('button', { name: 'Look' }).click();
       await selected('Look');
     },
@@ -117,13 +118,13 @@ export const cases = [
       await page.locator('[data-entry=charge]').waitFor();
       await step();
       await at(1);
-      assert.match((await root()) ?? '', /SUCCESS/);
+      await eventually(async () => assert.match((await root()) ?? '', /SUCCESS/));
       await page.getByLabel('Value of charge').fill('10');
       await page.getByLabel('Value of charge').press('Enter');
       await until(() => document.querySelector('[data-entry=charge]')?.textContent?.includes('by hand'));
       await step();
       await at(2);
-      assert.match((await root()) ?? '', /FAILURE/);
+      await eventually(async () => assert.match((await root()) ?? '', /FAILURE/));
       await page.getByLabel('Name', { exact: true }).fill('@everywhere');
       await page.getByLabel('Name', { exact: true }).press('Enter');
       await page.locator('[data-entry="@everywhere"]').waitFor();
@@ -142,11 +143,11 @@ export const cases = [
       await page.getByText('No tick yet.').waitFor();
       await step();
       await at(1);
-      assert.deepEqual(await page.locator('#trees-trace li').allTextContents(), ['Near✗FAILURE', 'Walk▸RUNNING', 'ReactiveFallback▸RUNNING']);
+      await eventually(async () => assert.deepEqual(await page.locator('#trees-trace li').allTextContents(), ['Near✗FAILURE', 'Walk▸RUNNING', 'ReactiveFallback▸RUNNING']));
       await step();
       await at(2);
-      assert.deepEqual(await page.locator('#trees-trace li').allTextContents(), ['Near✓SUCCESS', 'ReactiveFallback✓SUCCESS']);
-      assert.deepEqual(await page.locator('#trees-halted li').allTextContents(), ['Walk■HALTED']);
+      await eventually(async () => assert.deepEqual(await page.locator('#trees-trace li').allTextContents(), ['Near✓SUCCESS', 'ReactiveFallback✓SUCCESS']));
+      await eventually(async () => assert.deepEqual(await page.locator('#trees-halted li').allTextContents(), ['Walk■HALTED']));
       await tab('script');
       await page.getByRole('button', { name: 'Halt the tree now' }).click();
       await page.getByText('the whole tree is halted').waitFor();
@@ -164,7 +165,7 @@ export const cases = [
       await at(0);
       await step();
       await at(1);
-      assert.match((await root()) ?? '', /FAILURE/);
+      await eventually(async () => assert.match((await root()) ?? '', /FAILURE/));
       await tab('log');
       await page.getByText('3 passes from the root').waitFor();
       await page.locator('#trees-mode').selectOption('exactly_once');
@@ -172,7 +173,7 @@ export const cases = [
       await page.getByText('a retry of three attempts is three ticks').waitFor();
       await step(2);
       await at(3);
-      assert.match((await root()) ?? '', /FAILURE/);
+      await eventually(async () => assert.match((await root()) ?? '', /FAILURE/));
       await page.locator('#trees-ms').fill('40');
       await page.locator('#trees-ms').press('Enter');
       await page.getByText('120 ms of simulated time').waitFor();
@@ -194,8 +195,8 @@ export const cases = [
       await notice(/Paused at tick 5: Near returned FAILURE/);
       await inState('paused');
       await at(5);
-      assert.equal(await page.locator('#panel-node h2').textContent(), 'Near');
-      assert.match((await page.locator('#live').textContent()) ?? '', /tick 5/);
+      await eventually(async () => assert.equal(await page.locator('#panel-node h2').textContent(), 'Near'));
+      await eventually(async () => assert.match((await page.locator('#live').textContent()) ?? '', /tick 5/));
       await page.getByLabel('returns FAILURE').uncheck();
       await page.locator('#trees-complete').check();
       await page.locator('#trees .play').click();
@@ -209,7 +210,7 @@ export const cases = [
       const { page, at, step } = await openBench(open);
       await at(2);
       const kinds = page.locator('.compare-panel h3');
-      assert.deepEqual(await kinds.allTextContents(), ['Sequence', 'ReactiveSequence', 'SequenceWithMemory']);
+      await eventually(async () => assert.deepEqual(await kinds.allTextContents(), ['Sequence', 'ReactiveSequence', 'SequenceWithMemory']));
       await page.locator('.compare-sentence').filter({ hasText: 'They differ first in tick 2: ReactiveSequence' }).waitFor();
       await step();
       await at(3);
@@ -226,7 +227,7 @@ export const cases = [
     async (open) => {
       const { page, at } = await openBench(open, `#/trees?xml=${packed(documentOf('<AlwaysSuccess/>'))}`);
       await at(0);
-      assert.ok(await page.locator('.compare-switch').isDisabled());
+      await eventually(async () => assert.ok(await page.locator('.compare-switch').isDisabled()));
     },
   ],
   [
@@ -239,7 +240,7 @@ export const cases = [
       await page.locator('#trees .fault').filter({ hasText: 'panicked at a test' }).waitFor();
       await page.getByRole('button', { name: 'Reload at tick 3' }).click();
       assert.equal(await at(3), before);
-      assert.equal(await page.locator('#trees .fault').isVisible(), false);
+      await eventually(async () => assert.equal(await page.locator('#trees .fault').isVisible(), false));
     },
   ],
 ];

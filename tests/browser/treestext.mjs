@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { SMALL, documentOf, openBench } from './bench.mjs';
+import { eventually } from './browser.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -18,11 +19,10 @@ export const cases = [
       assert.match(found[1], /line 4, column 20: /);
       assert.match(found[2], /line 4, column 26: unknown port "port"/);
       assert.match(found[3], /line 5, column 37: expected a number, text or name/);
-      const underlined = await page.locator('.cm-lintRange-error').allTextContents();
-      assert.equal(underlined.join(' '), '<Sequnce s port &');
-      assert.equal(await page.locator('.cm-lint-marker-error').count(), 3);
+      await eventually(async () => assert.equal((await page.locator('.cm-lintRange-error').allTextContents()).join(' '), '<Sequnce s port &'));
+      await eventually(async () => assert.equal(await page.locator('.cm-lint-marker-error').count(), 3));
       await page.locator('.problem').nth(2).click();
-      assert.equal(await editor.evaluate(() => document.querySelector('.trees-code')?.shadowRoot?.activeElement?.className.includes('cm-content')), true);
+      await eventually(async () => assert.equal(await editor.evaluate(() => document.querySelector('.trees-code')?.shadowRoot?.activeElement?.className.includes('cm-content')), true));
       await page.keyboard.type('x');
       await page.getByText('unknown port "xport"').waitFor();
       await page.evaluate((xml) => navigator.clipboard.writeText(xml), SMALL);
@@ -39,7 +39,7 @@ export const cases = [
       await type(documentOf('<Sequence><Script code="a := \'🤖🤖\'"/><Nowhere/></Sequence>'));
       await problems('1 fault');
       assert.match((await problemTexts())[0], /line 3, column 41: unknown node "Nowhere"/);
-      assert.equal(await page.locator('.cm-lintRange-error').textContent(), '<Nowhere');
+      await eventually(async () => assert.equal(await page.locator('.cm-lintRange-error').textContent(), '<Nowhere'));
     },
   ],
   [
@@ -77,7 +77,7 @@ export const cases = [
       await problems('1 fault');
       await page.getByRole('button', { name: 'Replace by Sequence' }).click();
       await problems('No problems');
-      assert.ok((await text()).includes('<Sequence><AlwaysSuccess/></Sequence>'));
+      await eventually(async () => assert.ok((await text()).includes('<Sequence><AlwaysSuccess/></Sequence>')));
       await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).click();
       await problems('1 fault');
     },
@@ -93,7 +93,7 @@ export const cases = [
       const written = await text();
       assert.ok(written.includes('<TreeNodesModel>\n    <Action ID="Fetch">\n      <inout_port name="item"/>\n      <input_port name="speed"/>\n    </Action>\n  </TreeNodesModel>\n</root>'), written);
       await node('Fetch').waitFor();
-      assert.ok(await page.locator('.bench-answer').first().isVisible());
+      await eventually(async () => assert.ok(await page.locator('.bench-answer').first().isVisible()));
     },
   ],
   [
@@ -114,7 +114,7 @@ export const cases = [
       await page.keyboard.press('Escape');
       await page.keyboard.type('ength="2"/>');
       await problems('No problems');
-      assert.ok((await text()).includes('<Sequence><Grasp strength="2"/></Sequence>'));
+      await eventually(async () => assert.ok((await text()).includes('<Sequence><Grasp strength="2"/></Sequence>')));
     },
   ],
   [
@@ -131,7 +131,7 @@ export const cases = [
       await page.locator('#trees-ms').press('Enter');
       await page.locator('.trees-stage').click({ position: { x: 60, y: 200 } });
       const shown = () => page.evaluate(() => [/** @type {HTMLInputElement} */ (document.querySelector('#trees-mode')).value, /** @type {HTMLInputElement} */ (document.querySelector('#trees-ms')).value]);
-      assert.deepEqual(await shown(), ['exactly_once', '250']);
+      await eventually(async () => assert.deepEqual(await shown(), ['exactly_once', '250']));
       await page.keyboard.press('Control+z');
       await until(() => /** @type {HTMLInputElement} */ (document.querySelector('#trees-ms')).value === '100');
       await page.keyboard.press('Control+z');
@@ -140,12 +140,12 @@ export const cases = [
       await page.getByText('Script, 6 events').waitFor();
       await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).click();
       await until(() => document.querySelector('.trees-code')?.shadowRoot?.querySelector('.cm-content')?.textContent?.includes('BallSeen'));
-      assert.ok(await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).isDisabled());
+      await eventually(async () => assert.ok(await page.locator('.trees-bar').getByRole('button', { name: 'Undo' }).isDisabled()));
       for (const key of ['Control+Shift+z', 'Control+y', 'Control+y']) await page.keyboard.press(key);
       await page.locator('.trees-bar').getByRole('button', { name: 'Redo' }).click();
       await page.getByText('Script, 7 events').waitFor();
       assert.deepEqual(await shown(), ['exactly_once', '250']);
-      assert.ok((await text()).includes('grasp'));
+      await eventually(async () => assert.ok((await text()).includes('grasp')));
       assert.deepEqual(said(), [], 'typing over a selection breaks no policy');
     },
   ],
@@ -162,9 +162,9 @@ export const cases = [
       await until(() => document.activeElement?.matches('.problems-bar button'));
       await select('grasp');
       await page.locator('.cm-node').filter({ hasText: 'grasp' }).waitFor();
-      assert.ok(await page.evaluate(() => document.activeElement?.matches('[role=treeitem]')), 'the focus stays in the drawing');
+      await eventually(async () => assert.ok(await page.evaluate(() => document.activeElement?.matches('[role=treeitem]')), 'the focus stays in the drawing'));
       await page.getByRole('button', { name: 'Go to line 5' }).click();
-      assert.ok(await page.evaluate(() => document.activeElement?.matches('.trees-code')));
+      await eventually(async () => assert.ok(await page.evaluate(() => document.activeElement?.matches('.trees-code'))));
     },
   ],
   [
@@ -174,12 +174,12 @@ export const cases = [
       const lines = await editor.locator('.cm-line').count();
       await page.locator('.cm-foldGutter .cm-gutterElement').filter({ hasText: '▾' }).nth(2).click();
       await page.locator('.cm-foldPlaceholder').waitFor();
-      assert.ok((await editor.locator('.cm-line').count()) < lines);
+      await eventually(async () => assert.ok((await editor.locator('.cm-line').count()) < lines));
       await page.getByRole('button', { name: 'Find', exact: true }).click();
       await page.locator('.cm-search input[name=search]').pressSequentially('Grasp');
       await page.keyboard.press('Enter');
       await page.locator('.cm-searchMatch-selected').waitFor();
-      assert.equal(await editor.locator('.cm-foldPlaceholder').count(), 0, 'a hit is unfolded');
+      await eventually(async () => assert.equal(await editor.locator('.cm-foldPlaceholder').count(), 0, 'a hit is unfolded'));
     },
   ],
 ];

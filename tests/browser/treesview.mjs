@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { documentOf, openBench, packed } from './bench.mjs';
+import { eventually } from './browser.mjs';
 
 const KINDS = ['Sequence', 'Fallback', 'ReactiveSequence', 'Parallel'];
 
@@ -67,6 +68,7 @@ export const cases = [
       assert.deepEqual(said(), []);
       return `${nodes} nodes: ${shown.toFixed(0)} ms from the request to everything drawn; the first paste ${opened} ms (120 ms of it waiting for more typing), ${stepped} ms a step, ${Number(frames).toFixed(0)} frames per second playing`;
     },
+    'alone',
   ],
   [
     'branches_fold_and_unfold',
@@ -79,7 +81,7 @@ export const cases = [
       const folded = await items.count();
       await page.getByRole('button', { name: 'Unfold all' }).click();
       await page.locator('.trees-stage > .bench [aria-expanded=false]').first().waitFor({ state: 'detached' });
-      assert.ok((await items.count()) > folded);
+      await eventually(async () => assert.ok((await items.count()) > folded));
       await items.first().focus();
       await page.keyboard.press('ArrowUp');
       await page.keyboard.press('Home');
@@ -98,7 +100,7 @@ export const cases = [
       assert.ok(hits >= 2);
       await page.keyboard.press('Enter');
       await count.filter({ hasText: `1 of ${hits}` }).waitFor();
-      assert.equal(await page.locator('#panel-node h2').textContent(), 'ToDoor');
+      await eventually(async () => assert.equal(await page.locator('#panel-node h2').textContent(), 'ToDoor'));
       await page.getByRole('button', { name: 'Next hit' }).click();
       await count.filter({ hasText: `2 of ${hits}` }).waitFor();
       await page.locator('.bench-node[aria-selected=true]').waitFor();
@@ -132,7 +134,7 @@ export const cases = [
       await changed();
       await page.getByRole('button', { name: 'Whole tree' }).click();
       await changed();
-      assert.ok(await page.getByRole('button', { name: /Grows to the right/ }).isVisible());
+      await eventually(async () => assert.ok(await page.getByRole('button', { name: /Grows to the right/ }).isVisible()));
     },
   ],
   [
@@ -156,14 +158,14 @@ export const cases = [
       const before = await width();
       await page.getByRole('separator').focus();
       for (let count = 0; count < 3; count += 1) await page.keyboard.press('ArrowRight');
-      assert.equal(await width(), before + 48);
+      await eventually(async () => assert.equal(await width(), before + 48));
       const box = await page.getByRole('separator').boundingBox();
       assert.ok(box);
       await page.mouse.move(box.x + 12, box.y + box.height / 2);
       await page.mouse.down();
       await page.mouse.move(box.x + 62, box.y + box.height / 2, { steps: 3 });
       await page.mouse.up();
-      assert.equal(await width(), before + 98);
+      await eventually(async () => assert.equal(await width(), before + 98));
       await page.reload();
       await inState('paused');
       await at(2);
@@ -178,7 +180,7 @@ export const cases = [
       await inState('paused');
       await node('Dance').waitFor();
       await page.locator('.watch').filter({ hasText: /can be shown but not run/ }).waitFor();
-      assert.ok(await page.locator('#trees .play').isDisabled());
+      await eventually(async () => assert.ok(await page.locator('#trees .play').isDisabled()));
     },
   ],
 ];

@@ -220,7 +220,8 @@ export function createForage({ address, built, live, themes, openTree }) {
         await run.load(scenario);
         await run.seek(tick);
       } catch (error) {
-        if (state.name !== 'error') broke(messageOf(error));
+        // An engine that broke once more has said so itself; whatever else it is, there must be a way on.
+        if (state.name !== 'error' || !(error instanceof EngineError && error.fatal)) broke(messageOf(error));
       }
     };
     fault.broke(message, { version: ready?.version ?? '', tick, again: ready && run.layout ? again : null });

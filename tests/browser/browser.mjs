@@ -20,6 +20,12 @@ export const findChromium = () => process.env.CHROMIUM || onPath(NAMES);
 /** Also makes sure that the page works where there are none. */
 const WITHOUT_SERVICE_WORKERS = () => Object.defineProperty(Navigator.prototype, 'serviceWorker', { value: undefined });
 
+/** A context that waits as long as those of `openPage`. @param {import('playwright-core').BrowserContext} context */
+export function patient(context) {
+  context.setDefaultTimeout(PATIENCE_MS);
+  return context;
+}
+
 /**
  * Repeats an assertion until it holds; what it said last is thrown when patience ends. For what the page shows a moment
  * after something was done; what must never be the case is asserted once, after something that shows that all is done.
@@ -52,8 +58,7 @@ export const launch = (executablePath) => chromium.launch({ executablePath, args
  * @param {(opened: Opened) => unknown} [made] is given the page before it has loaded
  */
 export async function openPage(browser, url, hash = '', options = {}, made = () => {}) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce', ...options });
-  context.setDefaultTimeout(PATIENCE_MS);
+  const context = patient(await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce', ...options }));
   if (options.serviceWorkers !== 'allow') await context.addInitScript(WITHOUT_SERVICE_WORKERS);
   const page = await context.newPage();
   const problems = [];

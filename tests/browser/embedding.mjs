@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { findChromium, launch } from './browser.mjs';
+import { findChromium, launch, patient } from './browser.mjs';
 
 const LINK = '#/forage?preset=foraging&seed=3&embed=1&ui=play,scrub,tree';
 
@@ -13,7 +13,7 @@ const LINK = '#/forage?preset=foraging&seed=3&embed=1&ui=play,scrub,tree';
 async function framed(url, look, size = { width: 1280, height: 720 }) {
   const browser = await launch(/** @type {string} */ (findChromium()));
   try {
-    const page = await (await browser.newContext({ viewport: { width: size.width + 40, height: size.height + 40 }, reducedMotion: 'reduce' })).newPage();
+    const page = await patient(await browser.newContext({ viewport: { width: size.width + 40, height: size.height + 40 }, reducedMotion: 'reduce' })).newPage();
     /** @type {string[]} */
     const problems = [];
     page.on('pageerror', (error) => problems.push(error.message));

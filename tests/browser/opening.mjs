@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { OPENING } from '../../www/opening.js';
-import { eventually, findChromium, launch } from './browser.mjs';
+import { eventually, findChromium, launch, patient } from './browser.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -54,7 +54,7 @@ export const cases = [
     `without_script_the_still_the_sentence_and_a_way_out_are_seen_in_${colorScheme}`,
     async (_, url) => {
       const browser = await launch(/** @type {string} */ (findChromium()));
-      const page = await (await browser.newContext({ javaScriptEnabled: false, colorScheme: /** @type {'light' | 'dark'} */ (colorScheme), viewport: { width: 1440, height: 900 } })).newPage();
+      const page = await patient(await browser.newContext({ javaScriptEnabled: false, colorScheme: /** @type {'light' | 'dark'} */ (colorScheme), viewport: { width: 1440, height: 900 } })).newPage();
       await page.goto(url);
       assert.ok(await page.locator('.lede').isVisible());
       assert.ok(await page.locator('noscript p').isVisible());
@@ -70,11 +70,11 @@ export const cases = [
       const browser = await launch(/** @type {string} */ (findChromium()));
       const jumps = [];
       for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]]) {
-        const plain = await (await browser.newContext({ viewport: { width, height } })).newPage();
+        const plain = await patient(await browser.newContext({ viewport: { width, height } })).newPage();
         await plain.route('**/*.js', (route) => route.abort());
         await plain.goto(url);
         const before = await plain.locator('#still').boundingBox();
-        const page = await (await browser.newContext({ reducedMotion: 'reduce', viewport: { width, height } })).newPage();
+        const page = await patient(await browser.newContext({ reducedMotion: 'reduce', viewport: { width, height } })).newPage();
         await page.goto(url);
         await page.waitForFunction((tick) => document.querySelector('#tick')?.textContent === String(tick) && !document.querySelector('#still'), OPENING.tick);
         const after = await page.locator('#canvas').boundingBox();
@@ -128,7 +128,7 @@ export const cases = [
       /** @type {{ paint: number, ready: number, runs: number }[]} */
       const times = [];
       for (let round = 0; round < 5; round += 1) {
-        const page = await (await browser.newContext({ viewport: { width: 1440, height: 900 } })).newPage();
+        const page = await patient(await browser.newContext({ viewport: { width: 1440, height: 900 } })).newPage();
         await (await page.context().newCDPSession(page)).send('Emulation.setCPUThrottlingRate', { rate: 4 });
         await page.addInitScript(() => {
           const watch = new MutationObserver(() => {

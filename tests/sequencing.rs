@@ -188,6 +188,7 @@ fn slices_of_any_size_give_the_same_search() {
     for options in [
         Options { weight: 2.0, batch: 4, ..Options::default() },
         Options { weight: 3.0, eager: true, ..Options::default() },
+        Options { method: Method::BothSides, weight: 1.25, batch: 8, forecast: 4, ..Options::default() },
     ] {
         let options = Options { integrations: 300, ..options };
         let whole = search(&task, options);
@@ -205,6 +206,57 @@ fn slices_of_any_size_give_the_same_search() {
         assert_eq!(whole.progress(), backwards.progress());
         assert_eq!(whole.best(), backwards.best());
     }
+}
+
+/// As in the browser, where the slots of a batch are worked off one after another.
+#[cfg(feature = "cli")]
+#[test]
+fn any_number_of_threads_gives_the_same_search() {
+    let task = Params::default().tasks(seed(4)).expect("there is room").0;
+    let both = Options { method: Method::BothSides, weight: 1.25, geodesic: true, ..Options::default() };
+    for options in [Options { batch: 8, ..both }, Options { batch: 16, weight: 2.0, ..Options::default() }] {
+        let options = Options { integrations: 400, ..options };
+        let alone = search(&task, options);
+        for threads in [1, 2, 5] {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            let mut together = Search::new(&task, options, &[]).expect("no prefix");
+            while pool.install(|| together.advance_on_threads(20)).outcome.is_none() {}
+            assert_eq!(alone.progress(), together.progress(), "{threads} threads");
+            assert_eq!(alone.best(), together.best());
+            assert_eq!(alone.lower_bound(), together.lower_bound());
+        }
+    }
+}
+
+#[test]
+fn from_both_sides_a_ratio_is_proven_that_one_side_does_not_reach() {
+    // Layout 10 of the navigation scenario; the numbers of integrations are those of docs/search-from-both-sides.md.
+    let task = Params::default().tasks(seed(10)).expect("there is room").0;
+    let base = Options { weight: 1.25, integrations: 200, ..Options::default() };
+    let one = search(&task, Options { method: Method::Anytime, ..base });
+    assert!(one.proven_ratio().is_some_and(|ratio| ratio > 1.3));
+    let both = search(&task, Options { method: Method::BothSides, geodesic: true, batch: 8, ..base });
+    assert_eq!(both.progress().outcome, Some(SearchOutcome::Solved));
+    assert!(both.proven_ratio().is_some_and(|ratio| ratio <= 1.25));
+    assert_eq!(both.progress().counts.integrated, 80);
+}
+
+#[test]
+fn a_forecast_saves_integrations_in_coverage() {
+    let changes = json!({"task": "cover", "map": [0, 100, 0, 100], "start-area": [20, 80, 20, 80], "obstacles": 1,
+        "obstacle-area": [10, 90, 10, 90], "clear-of-start": 0, "weight": 5});
+    let params = changed(&changes);
+    let mut integrated = [0, 0];
+    for layout in 1..=10 {
+        let task = params.tasks(seed(layout)).expect("there is room").1;
+        for (sum, forecast) in integrated.iter_mut().zip([0, 4]) {
+            let found = search(&task, Options { forecast, ..params.options() });
+            assert_eq!(found.progress().outcome, Some(SearchOutcome::Solved));
+            *sum += found.progress().counts.integrated;
+        }
+    }
+    // Ten layouts together; 130 each are wanted.
+    assert_eq!(integrated, [1403, 528]);
 }
 
 #[test]

@@ -85,8 +85,12 @@ proptest! {
             Options { eager: true, ..base },
             Options { batch, ..base },
             Options { geodesic: true, ..base },
+            Options { forecast: 4, ..base },
             Options { method: Method::Literal, ..base },
             Options { method: Method::Anytime, ..base },
+            Options { method: Method::BothSides, ..base },
+            Options { method: Method::BothSides, geodesic: true, forecast: 3, batch, ..base },
+            Options { method: Method::BothSides, weight: 1.0, ..base },
             Options { method: Method::MultiHeuristic { anchor, second }, ..base },
             Options { weight: 1.0, ..base },
         ] {
@@ -111,7 +115,7 @@ proptest! {
     #[test]
     fn a_search_that_is_stopped_anywhere_has_a_valid_bound(task in tasks(), costs in costs(), after in 0..60_u64) {
         let least = least(&task, &costs);
-        for method in [Method::Exact, Method::Literal, Method::Anytime] {
+        for method in [Method::Exact, Method::Literal, Method::Anytime, Method::BothSides] {
             let mut search = Search::new(&task, Options { method, costs, ..Options::default() }, &[]).expect("no prefix");
             search.advance(after);
             let bound = search.lower_bound().expect("it proves something");

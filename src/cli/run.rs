@@ -41,7 +41,7 @@ pub fn run(arguments: &RunArguments) -> Result<(), Failure> {
     let mut start = read_start(&arguments.scenario, &changes)?;
     let mut progress = Progress::new();
     // A world that plans is searched in slices of a few milliseconds.
-    while !start.advance(16) {
+    while !start.advance_on_threads(16) {
         progress.show_search(&start);
     }
     progress.clear();

@@ -348,6 +348,18 @@ impl Start {
         self.is_ready()
     }
 
+    /// As [`Start::advance`] with the batches of a search made on all threads; the world is the same.
+    #[cfg(feature = "cli")]
+    pub fn advance_on_threads(&mut self, budget: u32) -> bool {
+        match &mut self.state {
+            Starting::Ready(_) => {}
+            Starting::Planning(world) => {
+                world.advance_on_threads(u64::from(budget));
+            }
+        }
+        self.is_ready()
+    }
+
     /// Whether the world is ready: at once where nothing is planned.
     #[must_use]
     pub fn is_ready(&self) -> bool {

@@ -246,16 +246,25 @@ impl Kernel {
     /// The command is held for the step and the heading taken in its middle: eq. (11) integrated with dt = 0.1 s,
     /// the model's definition of time. The turn by half a step is at most pi/160, so a short series is exact to
     /// the last bit or two.
-    pub fn moved(&mut self, robot: usize, [x, y, theta]: [f64; 3]) -> [f64; 3] {
+    pub fn moved(&mut self, robot: usize, pose: [f64; 3]) -> [f64; 3] {
+        self.moved_for(STEP, robot, pose)
+    }
+
+    /// As [`Kernel::moved`] with the command held for so many seconds: only for forecasts, which are no part of the model.
+    pub fn moved_for(&mut self, seconds: f64, robot: usize, [x, y, theta]: [f64; 3]) -> [f64; 3] {
         let (speed, turn) = (self.speed[robot], self.turn[robot]);
-        let half = turn * (STEP / 2.0);
+        let half = turn * (seconds / 2.0);
         let square = half * half;
         let cos_half = 1.0 - square * (0.5 - square * (1.0 / 24.0 - square * (1.0 / 720.0)));
         let sin_half = half * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0 - square * (1.0 / 5040.0))));
         let (cos, sin) = (self.cos[robot], self.sin[robot]);
-        let way = speed * STEP;
+        let way = speed * seconds;
         self.length[robot] += way.abs();
-        [x + way * (cos * cos_half - sin * sin_half), y + way * (sin * cos_half + cos * sin_half), theta + turn * STEP]
+        [
+            x + way * (cos * cos_half - sin * sin_half),
+            y + way * (sin * cos_half + cos * sin_half),
+            theta + turn * seconds,
+        ]
     }
 }
 

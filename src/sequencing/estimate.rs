@@ -2,7 +2,7 @@
 
 use super::behaviours::{Behaviour, Law, Meta};
 use super::costs::{Costs, Past};
-use super::dynamics::SPEED_LIMIT;
+use super::dynamics::{Kernel, SPEED_LIMIT};
 use super::geodesic::Ways;
 use super::parts::Goal;
 use super::tasks::Task;
@@ -15,6 +15,40 @@ pub struct Estimate {
     /// Per behaviour, metres that all robots together go at least in an interval.
     least: Vec<f64>,
     laws: Vec<Law>,
+    /// Long steps of a forecast; 0 to guess by straight lines.
+    forecast: u32,
+}
+
+/// A state from which something is guessed.
+#[derive(Clone, Copy, Debug)]
+pub struct Stand<'a> {
+    /// 3 M reals.
+    pub state: &'a [f64],
+    /// Of visited cells.
+    pub marks: &'a [u64],
+    /// How many are marked.
+    pub visited: u32,
+    /// What came before.
+    pub past: Past,
+    /// The bound of the state.
+    pub rest: f64,
+}
+
+/// Room to guess in.
+#[derive(Clone, Debug)]
+pub struct Room {
+    state: Vec<f64>,
+    marks: Vec<u64>,
+    kernel: Kernel,
+}
+
+impl Room {
+    /// Room for the states of a task.
+    #[must_use]
+    pub fn new(task: &Task) -> Self {
+        let robots = task.robots();
+        Self { state: vec![0.0; 3 * robots], marks: vec![0; task.words()], kernel: Kernel::new(robots) }
+    }
 }
 
 /// What is said about one state.
@@ -43,9 +77,10 @@ const CELLS_PER_SIDE: f64 = 0.9;
 impl Estimate {
     /// Prepares a task.
     ///
-    /// - `geodesic`: whether distances to a target go round the obstacles.
+    /// - `geodesic`: whether distances to a target go round the obstacles. `forecast`: long steps in which guesses are
+    ///   made; 0 to make them by straight lines.
     #[must_use]
-    pub fn new(task: &Task, costs: Costs, geodesic: bool) -> Self {
+    pub fn new(task: &Task, costs: Costs, geodesic: bool, forecast: u32) -> Self {
         let ways = match (task.goal(), geodesic) {
             (Goal::Reach { centre, radius }, true) => {
                 Some(Ways::new(task.bounds(), task.obstacles(), *centre, *radius))
@@ -60,6 +95,7 @@ impl Estimate {
             ways,
             least: task.library().iter().map(least).collect(),
             laws: task.library().iter().map(|behaviour| behaviour.law(task.robots())).collect(),
+            forecast,
         }
     }
 
@@ -112,28 +148,36 @@ impl Estimate {
         switch + rest.max(self.least[usize::from(next)] + time)
     }
 
-    /// Guesses what a behaviour would do in the next interval: flocks go along their bias, or along their own heading
-    /// without one; rendezvous, lines and their like go straight to where they want to be, as far as they can come.
+    /// Guesses what a behaviour would do in the next interval, by a forecast in long steps ([`Task::forecast`]) or by
+    /// straight lines: flocks go along their bias, or along their own heading without one; rendezvous, lines and their
+    /// like go straight to where they want to be, as far as they can come.
     ///
-    /// - `state`, `visited`, `past`: where it begins. `second`: whether the second estimate is wanted.
-    /// - `room`: scratch, 2 M reals.
+    /// What a forecast sees colliding is guessed to cost infinitely much: its key is then what its bound allows at most
+    /// ([`super::search::queue::Entry::key`]), so that it waits as long as the promise of the weight lets it.
+    ///
+    /// - `from`: where it begins. `second`: whether the second estimate is wanted.
     #[must_use]
-    #[expect(clippy::too_many_arguments, reason = "the state and its past, the behaviour, and room to work in")]
-    pub fn guess(
-        &self,
-        task: &Task,
-        state: &[f64],
-        visited: u32,
-        past: Past,
-        next: u8,
-        second: bool,
-        room: &mut [f64],
-    ) -> Guess {
+    pub fn guess(&self, task: &Task, from: &Stand, next: u8, second: bool, room: &mut Room) -> Guess {
         let robots = task.robots();
         let is_stop = task.stop() == Some(next);
-        let path = self.guess_places(task, state, next, room);
-        let cost = path + self.costs.charge(past, next, is_stop, task.interval());
-        let at = |robot: usize| [room[robot], room[robots + robot]];
+        let foreseen = if self.forecast == 0 {
+            let path = self.guess_places(task, from.state, next, &mut room.state);
+            let side = match task.goal() {
+                Goal::Reach { .. } => f64::INFINITY,
+                Goal::Cover { cells, .. } => cells.side,
+            };
+            Some((path, CELLS_PER_SIDE * path / side))
+        } else {
+            room.state.copy_from_slice(from.state);
+            room.marks.copy_from_slice(from.marks);
+            let seen = task.forecast(next, self.forecast, &mut room.state, &mut room.marks, &mut room.kernel);
+            seen.map(|(path, new)| (path, f64::from(new)))
+        };
+        let Some((path, new)) = foreseen else {
+            return Guess { cost: f64::INFINITY, rest: from.rest, second: from.rest };
+        };
+        let cost = path + self.costs.charge(from.past, next, is_stop, task.interval());
+        let at = |robot: usize| [room.state[robot], room.state[robots + robot]];
         let (rest, visited) = match task.goal() {
             Goal::Reach { centre, radius } => {
                 let (mut sum, mut gap) = (0.0, 0.0_f64);
@@ -152,7 +196,7 @@ impl Estimate {
                 (sum + self.time(task, gap, gap <= 0.0), 0.0)
             }
             Goal::Cover { cells, ratio } => {
-                let visited = f64::from(visited) + CELLS_PER_SIDE * path / cells.side;
+                let visited = f64::from(from.visited) + new;
                 let reached = visited >= ratio * f64::from(cells.columns) * f64::from(cells.rows);
                 (cover_bound(task, visited) + self.time(task, 0.0, reached), visited)
             }

@@ -47,6 +47,7 @@ pub struct Params {
     pub rounding: f64,
     pub eager: bool,
     pub geodesic: bool,
+    pub forecast: u32,
     pub batch: u32,
     pub budget: u32,
     pub memory: u32,
@@ -86,6 +87,8 @@ pub enum MethodKind {
     Anytime,
     /// Two queues.
     MultiHeuristic,
+    /// Raises the lower bound and lowers the best plan's cost in turn.
+    BothSides,
     /// States alike after rounding are left out; proves nothing.
     Approximate,
 }
@@ -139,6 +142,7 @@ impl Default for Params {
             rounding: 1.0,
             eager: false,
             geodesic: false,
+            forecast: 0,
             batch: 1,
             budget: 30_000,
             memory: 256,
@@ -236,6 +240,7 @@ impl Params {
             MethodKind::MultiHeuristic => {
                 Method::MultiHeuristic { anchor: self.anchor_weight, second: self.second_weight }
             }
+            MethodKind::BothSides => Method::BothSides,
             MethodKind::Approximate => Method::Approximate(self.rounding),
         };
         let charged = |between, into_stop, out_of_stop| Switches::Charged {
@@ -257,6 +262,7 @@ impl Params {
             weight: self.weight,
             eager: self.eager,
             geodesic: self.geodesic,
+            forecast: self.forecast,
             batch: self.batch,
             integrations: u64::from(self.budget),
             nodes: u32::MAX,

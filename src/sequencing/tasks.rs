@@ -300,6 +300,46 @@ impl Task {
         Ok((kernel.lengths().iter().sum(), new))
     }
 
+    /// Foresees what a behaviour does in one interval, in a few long steps: a guess, never a fact of the model.
+    ///
+    /// Returns metres and new cells as [`Task::act`], or `None` when somebody touches something.
+    ///
+    /// - `steps`: how many, at least 1. `state`, `marks`, `kernel`: as for [`Task::step`].
+    pub fn forecast(
+        &self,
+        behaviour: u8,
+        steps: u32,
+        state: &mut [f64],
+        marks: &mut [u64],
+        kernel: &mut Kernel,
+    ) -> Option<(f64, u32)> {
+        kernel.start();
+        if self.stop == Some(behaviour) {
+            return Some((0.0, 0));
+        }
+        let robots = self.robots;
+        let seconds = self.interval() / f64::from(steps);
+        let mut new = 0;
+        for _ in 0..steps {
+            kernel.control(&self.laws[usize::from(behaviour)], state);
+            for robot in 0..robots {
+                let from = [state[robot], state[robots + robot], state[2 * robots + robot]];
+                let [x, y, theta] = kernel.moved_for(seconds, robot, from);
+                state[robot] = x;
+                state[robots + robot] = y;
+                state[2 * robots + robot] = theta;
+                let (from, to) = ([from[0], from[1]], [x, y]);
+                if !self.bounds.holds(to) || self.obstacles.iter().any(|obstacle| obstacle.crosses(from, to)) {
+                    return None;
+                }
+                if let Goal::Cover { cells, .. } = &self.goal {
+                    new += cells.mark_way(marks, from, to);
+                }
+            }
+        }
+        Some((kernel.lengths().iter().sum(), new))
+    }
+
     /// The same task with every obstacle grown, the target shrunk and more cells to be visited: what is feasible here
     /// is feasible there with something to spare.
     ///

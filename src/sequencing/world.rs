@@ -229,6 +229,12 @@ impl Preparation {
         self.search.advance(budget)
     }
 
+    /// As [`Preparation::advance`], see [`Search::advance_on_threads`].
+    #[cfg(feature = "cli")]
+    pub fn advance_on_threads(&mut self, budget: u64) -> Progress {
+        self.search.advance_on_threads(budget)
+    }
+
     /// Where the search stands.
     #[must_use]
     pub fn progress(&self) -> Progress {

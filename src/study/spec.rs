@@ -79,6 +79,8 @@ const FIELDS: [&str; 15] = [
     "paper", "seconds", "matches",
 ];
 const MOST_SEEDS: u32 = 10_000;
+/// Parameters that came after results were made, each with the value that means what was done before.
+const LATER: [(&str, i32); 1] = [("forecast", 0)];
 
 impl Study {
     /// Reads a study.
@@ -232,13 +234,17 @@ impl Study {
 
     /// A fingerprint of all that decides a row of the results: each cell's name, labels and whole scenario, the first seed,
     /// and the metrics. Words, tests, figure, the paper's values, times and matches, and the number of seeds are left out:
-    /// to change them costs no run.
+    /// to change them costs no run. So is a parameter that came later (see `LATER`) where it has the value that means what was
+    /// done before it came: rows made without it stay rows of this study.
     #[must_use]
     pub fn hash(&self) -> u64 {
         let cells = self.cells.iter().map(|cell| {
             let mut scenario = cell.scenario.to_value();
             for field in ["title", "about", "seed"] {
                 scenario[field] = Value::Null;
+            }
+            if let Some(fields) = scenario.as_object_mut() {
+                fields.retain(|name, value| !LATER.iter().any(|(later, before)| name == later && *value == *before));
             }
             json!({"name": cell.name, "labels": cell.labels, "scenario": scenario})
         });

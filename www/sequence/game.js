@@ -169,7 +169,7 @@ function keep(scenario, result) {
   remember(KEPT, JSON.stringify([{ key, result }, ...list.filter((entry) => entry !== known)].slice(0, MOST_KEPT)));
 }
 
-const NOT_OF_THE_TASK = /^(title|about|method|weight|anchor-weight|second-weight|rounding|eager|geodesic|batch|budget|memory|prefix|jitter|jitter-runs|events|.*-margin)$/;
+const NOT_OF_THE_TASK = /^(title|about|method|weight|anchor-weight|second-weight|rounding|eager|geodesic|forecast|batch|budget|memory|prefix|jitter|jitter-runs|events|.*-margin)$/;
 
 /** @type {WeakMap<Scenario, string>} */
 const keys = new WeakMap();

@@ -44,6 +44,7 @@ pub const PARAMETERS: &[Parameter] = &[
             ("exact", "Accelerated"),
             ("anytime", "Anytime"),
             ("multi-heuristic", "Two queues"),
+            ("both-sides", "From both sides"),
             ("literal", "Algorithm 1 word by word"),
             ("approximate", "Fast, no proof"),
         ]),
@@ -51,7 +52,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Restart,
         group: SEARCH,
         label: "Method",
-        help: "Accelerated, anytime and two queues keep the promise of the weight. Anytime goes on with smaller weights. Fast leaves out states that are alike and proves nothing.",
+        help: "Accelerated, anytime, two queues and from both sides keep the promise of the weight. Anytime goes on with smaller weights. From both sides raises the lower bound and looks for better plans in turn. Fast leaves out states that are alike and proves nothing.",
         source: "Behaviour sequencing, section IV; accelerations are ours",
     },
     Parameter {
@@ -61,7 +62,7 @@ pub const PARAMETERS: &[Parameter] = &[
         apply: Apply::Restart,
         group: SEARCH,
         label: "Weight",
-        help: "w of equation 10: the plan costs at most w times the least cost. Anytime ends with it.",
+        help: "w of equation 10: the plan costs at most w times the least cost. Anytime ends with it; from both sides ends when this ratio is proven.",
         source: "Behaviour sequencing, eq. (10); the paper takes 2 for navigation and 5 for coverage",
     },
     Parameter {
@@ -113,6 +114,16 @@ pub const PARAMETERS: &[Parameter] = &[
         label: "Ways round obstacles",
         help: "Let the estimate of what is left go round the obstacles.",
         source: "our choice; the paper takes straight lines, eq. (18)",
+    },
+    Parameter {
+        name: "forecast",
+        kind: Kind::int(0, 10, 100),
+        unit: "steps",
+        apply: Apply::Restart,
+        group: SEARCH,
+        label: "Forecast",
+        help: "Long steps in which the search foresees what a behaviour not yet simulated will do; 0 for straight lines, which see neither obstacles nor visited cells. It orders the search and proves nothing.",
+        source: "our choice",
     },
     Parameter {
         name: "batch",

@@ -10,6 +10,8 @@
 //! - **Simulate late.** Expanding a node puts its behaviours into the queue by guessed keys, clamped so that the weight's
 //!   promise holds ([`queue::Entry::key`]). A behaviour is simulated when its turn comes, and enters again with its true
 //!   key.
+//! - **Foresee.** With a forecast a guess comes from a simulation in a few long steps, which sees obstacles and visited
+//!   cells. It only orders the search; the clamp keeps the promise.
 //! - **Discard by the unweighted bound.** What cannot be cheaper than the best plan goes, at any weight.
 //! - **Reach.** Nobody moves faster than 2 m/s: a state from which somebody cannot arrive in time goes.
 //! - **First touch.** An integration ends with the first collision.
@@ -42,6 +44,11 @@ pub enum Method {
         /// How far the second queue may run ahead of it.
         second: f64,
     },
+    /// From both sides in turn: the entry of the least bound, which raises the lower bound, then those that promise good
+    /// plans by the weights of [`Method::Anytime`] and by the second estimate, which lower the best plan's cost.
+    ///
+    /// Ends when the best plan costs at most the weight times the lower bound.
+    BothSides,
     /// Of states alike after rounding positions to so many metres only the cheapest is kept. Proves nothing.
     Approximate(f64),
 }
@@ -51,12 +58,15 @@ pub enum Method {
 pub struct Options {
     /// The algorithm.
     pub method: Method,
-    /// The weight w of eq. (10), at least 1; for [`Method::Anytime`] the last one.
+    /// The weight w of eq. (10), at least 1; for [`Method::Anytime`] the last one, for [`Method::BothSides`] the wanted
+    /// ratio of cost and lower bound.
     pub weight: f64,
     /// Simulate every behaviour of a node at once in place of guessing first.
     pub eager: bool,
     /// Let distances to the target go round the obstacles.
     pub geodesic: bool,
+    /// Long steps in which the guesses of behaviours not yet simulated are made; 0 to make them by straight lines.
+    pub forecast: u32,
     /// Entries taken together. Their results are applied in the order of the entries, so that the plan depends on this
     /// number and never on how many threads there are.
     pub batch: u32,
@@ -79,6 +89,7 @@ impl Default for Options {
             weight: 1.5,
             eager: false,
             geodesic: false,
+            forecast: 0,
             batch: 1,
             integrations: 30_000,
             nodes: 100_000,

@@ -72,14 +72,36 @@ impl PartialEq for Item {
 
 impl Eq for Item {}
 
+/// One of the heaps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Heap {
+    /// By the key of the weight.
+    Anchor,
+    /// By the cost and the second estimate.
+    Second,
+    /// By the bound.
+    Bound,
+}
+
+/// Which heaps there are besides the anchor.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sides {
+    /// [`Heap::Second`].
+    pub second: bool,
+    /// [`Heap::Bound`].
+    pub bound: bool,
+}
+
 /// The open list.
 #[derive(Clone, Debug)]
 pub struct Queue {
     entries: Vec<Entry>,
     anchor: BinaryHeap<Item>,
-    /// Ordered by c plus the second estimate; stays empty without one.
+    /// Ordered by c plus the second estimate; stays empty where nobody takes from it.
     second: BinaryHeap<Item>,
-    has_second: bool,
+    /// Ordered by the bound; likewise.
+    by_bound: BinaryHeap<Item>,
+    sides: Sides,
     /// Ties by insertion alone, as in the literal algorithm.
     first_in_first_out: bool,
     weight: f64,
@@ -90,9 +112,9 @@ pub struct Queue {
 impl Queue {
     /// An empty list.
     #[must_use]
-    pub fn new(weight: f64, has_second: bool, first_in_first_out: bool) -> Self {
-        let (anchor, second) = (BinaryHeap::new(), BinaryHeap::new());
-        Self { entries: Vec::new(), anchor, second, has_second, first_in_first_out, weight, open: 0, peak: 0 }
+    pub fn new(weight: f64, sides: Sides, first_in_first_out: bool) -> Self {
+        let [anchor, second, by_bound] = [const { BinaryHeap::new() }; 3];
+        Self { entries: Vec::new(), anchor, second, by_bound, sides, first_in_first_out, weight, open: 0, peak: 0 }
     }
 
     /// How many entries are open.
@@ -110,7 +132,8 @@ impl Queue {
     /// Bytes taken, about.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.entries.len() * size_of::<Entry>() + (self.anchor.len() + self.second.len()) * size_of::<Item>()
+        let items = self.anchor.len() + self.second.len() + self.by_bound.len();
+        self.entries.len() * size_of::<Entry>() + items * size_of::<Item>()
     }
 
     /// Adds an entry.
@@ -118,8 +141,11 @@ impl Queue {
         let id = self.entries.len() as u32;
         let item = self.item(id, &entry, entry.key(self.weight));
         self.anchor.push(item);
-        if self.has_second {
+        if self.sides.second {
             self.second.push(self.item(id, &entry, entry.cost + entry.second));
+        }
+        if self.sides.bound {
+            self.by_bound.push(self.item(id, &entry, entry.bound));
         }
         self.entries.push(entry);
         self.open += 1;
@@ -130,32 +156,29 @@ impl Queue {
         Item { key, depth: if self.first_in_first_out { 0 } else { entry.depth }, id }
     }
 
-    /// The smallest key of the anchor.
-    pub fn least(&mut self) -> Option<f64> {
-        while let Some(item) = self.anchor.peek() {
-            if !self.entries[item.id as usize].gone {
-                return Some(item.key);
-            }
-            self.anchor.pop();
+    fn heap(&mut self, heap: Heap) -> &mut BinaryHeap<Item> {
+        match heap {
+            Heap::Anchor => &mut self.anchor,
+            Heap::Second => &mut self.second,
+            Heap::Bound => &mut self.by_bound,
         }
-        None
     }
 
-    /// The smallest key of the second heap.
-    pub fn least_of_second(&mut self) -> Option<f64> {
-        while let Some(item) = self.second.peek() {
-            if !self.entries[item.id as usize].gone {
-                return Some(item.key);
-            }
-            self.second.pop();
-        }
-        None
-    }
-
-    /// Takes the first entry of the anchor, or of the second heap, out of both.
-    pub fn pop(&mut self, from_second: bool) -> Option<Entry> {
+    /// The smallest key of a heap; `None` when nothing is open, or there is no such heap.
+    pub fn least(&mut self, heap: Heap) -> Option<f64> {
         loop {
-            let item = if from_second { self.second.pop() } else { self.anchor.pop() }?;
+            let item = *self.heap(heap).peek()?;
+            if !self.entries[item.id as usize].gone {
+                return Some(item.key);
+            }
+            self.heap(heap).pop();
+        }
+    }
+
+    /// Takes the first entry of a heap out of all.
+    pub fn pop(&mut self, heap: Heap) -> Option<Entry> {
+        loop {
+            let item = self.heap(heap).pop()?;
             let entry = &mut self.entries[item.id as usize];
             if !entry.gone {
                 entry.gone = true;
@@ -191,22 +214,23 @@ mod tests {
 
     #[test]
     fn ties_go_to_the_deeper_and_then_to_the_earlier() {
-        let mut queue = Queue::new(1.0, false, false);
+        let mut queue = Queue::new(1.0, Sides::default(), false);
         for (node, depth, cost) in [(0, 1, 5.0), (1, 2, 5.0), (2, 2, 5.0), (3, 0, 4.0)] {
             queue.push(Entry::new(node, NONE, depth, [cost, 0.0, cost, 0.0]));
         }
-        let order: Vec<u32> = std::iter::from_fn(|| queue.pop(false)).map(|entry| entry.node).collect();
+        let order: Vec<u32> = std::iter::from_fn(|| queue.pop(Heap::Anchor)).map(|entry| entry.node).collect();
         assert_eq!(order, [3, 1, 2, 0]);
     }
 
     #[test]
     fn what_one_heap_gave_the_other_does_not_give_again() {
-        let mut queue = Queue::new(1.0, true, false);
+        let mut queue = Queue::new(1.0, Sides { second: true, bound: true }, false);
         queue.push(Entry::new(0, NONE, 1, [1.0, 9.0, 10.0, 0.0]));
         queue.push(Entry::new(1, NONE, 1, [1.0, 2.0, 3.0, 50.0]));
-        assert_eq!(queue.pop(true).map(|entry| entry.node), Some(0));
-        assert_eq!(queue.pop(false).map(|entry| entry.node), Some(1));
-        assert_eq!(queue.least_of_second(), None);
+        assert_eq!(queue.least(Heap::Bound), Some(3.0));
+        assert_eq!(queue.pop(Heap::Second).map(|entry| entry.node), Some(0));
+        assert_eq!(queue.pop(Heap::Anchor).map(|entry| entry.node), Some(1));
+        assert_eq!((queue.least(Heap::Second), queue.least(Heap::Bound)), (None, None));
         assert_eq!(queue.open(), 0);
     }
 }

@@ -4,10 +4,10 @@ mod report;
 
 use super::super::costs::Past;
 use super::super::dynamics::Kernel;
-use super::super::estimate::{self, Estimate};
+use super::super::estimate::{self, Estimate, Room, Stand};
 use super::super::tasks::{Collision, Task};
 use super::nodes::{Node, Nodes};
-use super::queue::{Entry, NONE, Queue};
+use super::queue::{Entry, Heap, NONE, Queue, Sides};
 use super::{Counts, Limit, Method, Options, Outcome, Plan, Progress, Slot, WEIGHTS};
 use crate::fingerprint::Fingerprint;
 use report::Fate;
@@ -40,7 +40,9 @@ pub struct Search {
     outcome: Option<Outcome>,
     /// Cost and depth of the cheapest state of each rounded kind.
     alike: BTreeMap<u64, (f64, u16)>,
-    room: Vec<f64>,
+    /// Entries taken so far, by which [`Method::BothSides`] takes turns.
+    taken: u64,
+    room: Room,
     drawn: Vec<f32>,
 }
 
@@ -58,20 +60,26 @@ impl Search {
         let tried = (0..task.library().len() as u8).filter(|&at| !stop_last || task.stop() != Some(at)).collect();
         let mut weights: Vec<f64> = match options.method {
             Method::Anytime => WEIGHTS.into_iter().filter(|weight| *weight > options.weight).collect(),
+            Method::BothSides => WEIGHTS[..WEIGHTS.len() - 1].to_vec(),
             Method::Literal | Method::Exact | Method::MultiHeuristic { .. } | Method::Approximate(_) => Vec::new(),
         };
         weights.push(match options.method {
             Method::MultiHeuristic { anchor, .. } => anchor,
+            Method::BothSides => 1.0,
             Method::Literal | Method::Exact | Method::Anytime | Method::Approximate(_) => options.weight,
         });
         weights.reverse();
         let weight = weights.pop().unwrap_or(options.weight);
-        let has_second = matches!(options.method, Method::MultiHeuristic { .. });
+        let sides = match options.method {
+            Method::MultiHeuristic { .. } => Sides { second: true, bound: false },
+            Method::BothSides => Sides { second: true, bound: true },
+            Method::Literal | Method::Exact | Method::Anytime | Method::Approximate(_) => Sides::default(),
+        };
         let mut search = Self {
-            estimate: Estimate::new(task, options.costs, options.geodesic && !literal),
+            estimate: Estimate::new(task, options.costs, options.geodesic && !literal, options.forecast),
             tried,
             nodes: Nodes::new(3 * task.robots(), task.words()),
-            queue: Queue::new(weight, has_second, literal),
+            queue: Queue::new(weight, sides, literal),
             weights,
             weight,
             proven_weight: f64::INFINITY,
@@ -83,7 +91,8 @@ impl Search {
             counts: Counts::default(),
             outcome: None,
             alike: BTreeMap::new(),
-            room: vec![0.0; 2 * task.robots()],
+            taken: 0,
+            room: Room::new(task),
             drawn: Vec::new(),
             prefix: prefix.to_vec(),
             options,
@@ -196,6 +205,14 @@ impl Search {
         self.progress()
     }
 
+    /// As [`Search::advance`] with the integrations of each batch made on all threads of the present pool of rayon; the
+    /// result is the same for any number of them. `budget` is exceeded by less than one batch.
+    #[cfg(feature = "cli")]
+    pub fn advance_on_threads(&mut self, budget: u64) -> Progress {
+        use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
+        self.advance_with(budget, &mut |task, slots| slots.par_iter_mut().for_each(|slot| slot.integrate(task)))
+    }
+
     /// Stops the search; its best plan and its bound stay.
     pub fn cancel(&mut self) {
         self.outcome.get_or_insert(Outcome::Cancelled);
@@ -222,19 +239,20 @@ impl Search {
         let mut taken = 0;
         while taken < self.options.batch {
             let waiting = self.filled > 0;
-            let Some(least) = self.queue.least() else {
+            let Some(least) = self.queue.least(Heap::Anchor) else {
                 if !waiting {
                     self.outcome = Some(self.exhausted());
                 }
                 return;
             };
-            let (from_second, limit) = match self.options.method {
+            let (heap, limit) = match self.options.method {
                 Method::MultiHeuristic { second, .. } => {
                     let limit = second * least;
-                    let key = self.queue.least_of_second().unwrap_or(f64::INFINITY);
-                    (key <= limit && key < self.best_cost, limit)
+                    let key = self.queue.least(Heap::Second).unwrap_or(f64::INFINITY);
+                    (if key <= limit && key < self.best_cost { Heap::Second } else { Heap::Anchor }, limit)
                 }
-                Method::Literal | Method::Exact | Method::Anytime | Method::Approximate(_) => (false, least),
+                Method::BothSides => self.turn(least),
+                Method::Literal | Method::Exact | Method::Anytime | Method::Approximate(_) => (Heap::Anchor, least),
             };
             if self.best_cost <= limit {
                 if !waiting && !self.lower_weight() {
@@ -251,11 +269,34 @@ impl Search {
                     return;
                 }
             }
-            let Some(entry) = self.queue.pop(from_second) else { return };
+            let Some(entry) = self.queue.pop(heap) else { return };
             if self.take(entry) {
                 taken += 1;
+                self.taken += 1;
             }
         }
+    }
+
+    /// Whose turn it is in [`Method::BothSides`], and what the best plan may cost at most for the search to end.
+    ///
+    /// - `least`: the smallest key of the anchor, at the weight at work. Where no key promises anything better than the best
+    ///   plan, the next weight comes to work.
+    fn turn(&mut self, mut least: f64) -> (Heap, f64) {
+        let bound = self.queue.least(Heap::Bound).unwrap_or(f64::INFINITY);
+        while least >= self.best_cost
+            && let Some(next) = self.weights.pop()
+        {
+            self.weight = next;
+            self.queue.set_weight(next);
+            least = self.queue.least(Heap::Anchor).unwrap_or(f64::INFINITY);
+        }
+        let key = self.queue.least(Heap::Second).unwrap_or(f64::INFINITY);
+        let heap = match self.taken % 3 {
+            1 if least < self.best_cost => Heap::Anchor,
+            2 if key < self.best_cost => Heap::Second,
+            _ => Heap::Bound,
+        };
+        (heap, self.options.weight * bound)
     }
 
     /// Expands an entry or fills slots for it; returns whether slots were filled.
@@ -290,10 +331,10 @@ impl Search {
             if eager {
                 self.fill(entry.node, next, bound);
             } else if bound < self.best_cost {
-                let state = self.nodes.state(entry.node);
-                let second = matches!(self.options.method, Method::MultiHeuristic { .. });
-                let room = &mut self.room;
-                let guess = self.estimate.guess(&self.task, state, node.visited, node.past, next, second, room);
+                let (state, marks) = (self.nodes.state(entry.node), self.nodes.marks(entry.node));
+                let from = Stand { state, marks, visited: node.visited, past: node.past, rest: node.rest };
+                let second = matches!(self.options.method, Method::MultiHeuristic { .. } | Method::BothSides);
+                let guess = self.estimate.guess(&self.task, &from, next, second, &mut self.room);
                 let numbers = [node.cost + guess.cost, guess.rest, bound, guess.second];
                 self.queue.push(Entry::new(entry.node, next, node.depth + 1, numbers));
             }
@@ -395,6 +436,10 @@ impl Search {
     fn lower_weight(&mut self) -> bool {
         self.proven_weight = match self.options.method {
             Method::MultiHeuristic { anchor, second } => anchor * second,
+            Method::BothSides => {
+                self.proven_weight = self.options.weight;
+                return false;
+            }
             Method::Literal | Method::Exact | Method::Anytime | Method::Approximate(_) => self.weight,
         };
         let Some(next) = self.weights.pop() else { return false };

@@ -80,7 +80,7 @@ impl Search {
                 let keys = self.queue.each().map(|entry| entry.key(self.weight)).fold(f64::INFINITY, f64::min);
                 Some(self.waiting_bound().min(keys.min(self.best_cost) / self.weight))
             }
-            Method::Exact | Method::Anytime | Method::MultiHeuristic { .. } => {
+            Method::Exact | Method::Anytime | Method::BothSides | Method::MultiHeuristic { .. } => {
                 Some(self.queue.bound().min(self.waiting_bound()).min(self.best_cost))
             }
         }

@@ -12,7 +12,7 @@ import { Sequence, initSync as initSequence } from '../www/sequence/engine/swarm
 import { World, initSync as initWorlds } from '../www/engine/swarm_playground.js';
 import { Study, initSync as initStudies } from '../www/studies/engine/swarm_playground.js';
 import { initSync as initTrees, tick_headless } from '../www/trees/engine/swarm_playground.js';
-import { COVERAGE, FIXED, FIXED_STEPS, FLOCKS, FLOCK_STEPS, FORAGING, LAYOUTS, MATCH, MATCH_STEPS, NAVIGATION, PUBLISHED, STEPS, TICKS, TREE, median, playMatch, runWorld, searchLayouts, timed } from '../www/measure/measures.js';
+import { COVERAGE, FIXED, FIXED_STEPS, FLOCKS, FLOCK_STEPS, FORAGING, LAYOUTS, MATCH, MATCH_STEPS, NAVIGATION, PROOF, PUBLISHED, STEPS, TICKS, TREE, median, playMatch, runWorld, searchLayouts, timed } from '../www/measure/measures.js';
 
 const MATCHES = 250; // of the paper's study
 const scenario = process.env.SCENARIO || FORAGING;
@@ -174,6 +174,13 @@ function plans() {
   console.log(`integrations ${verdict(integrations <= 130)}: ${integrations.toFixed(1)} in the mean, at most 130`);
   console.log(`native       ${per(coverage.native).toFixed(1)} ms at the median`);
   console.log(`wasm         ${per(coverage.wasm).toFixed(1)} ms at the median`);
+
+  const proof = searches(PROOF, LAYOUTS, 1);
+  const proven = (/** @type {number[]} */ seconds) => proof.found.filter(({ outcome }, at) => outcome === 'solved' && seconds[at] <= 2).length;
+  console.log(`\n${PROOF}, ${LAYOUTS} layouts, a ratio of 1.25 proven within 2 s`);
+  for (const [name, count] of /** @type {[string, number][]} */ ([['native', proven(proof.native)], ['wasm', proven(proof.wasm)]])) {
+    console.log(`${name.padEnd(12)} ${verdict(count >= 8)}: ${count} of ${LAYOUTS}, at least 8`);
+  }
 
   const flocks = searches(FLOCKS, 1, rounds);
   const [fast, slow] = [FLOCK_STEPS / flocks.native[0], FLOCK_STEPS / flocks.wasm[0]];

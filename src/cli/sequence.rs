@@ -147,6 +147,7 @@ fn variants(base: Options, tasks: &[Task]) -> Vec<(&'static str, Options)> {
         all.push(("B, round obstacles", Options { geodesic: true, ..lazy }));
         let anytime = Options { method: Method::Anytime, weight: 1.0, geodesic: true, ..lazy };
         all.push(("B, anytime, round obstacles", anytime));
+        all.push(("B, from both sides to 1.25", Options { method: Method::BothSides, weight: 1.25, ..lazy }));
     }
     all
 }

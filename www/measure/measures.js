@@ -10,6 +10,7 @@ export const FIXED = 'scenarios/hand-tree.json'; // every robot runs one tree of
 export const TREE = 'tests/cases/reactive_tree.json'; // 18 nodes
 export const NAVIGATION = 'scenarios/navigation.json';
 export const COVERAGE = 'scenarios/coverage.json';
+export const PROOF = 'tests/cases/proof.json'; // ends when a ratio of 1.25 is proven
 export const FLOCKS = 'tests/cases/flocks.json'; // 1000 flocks of 20 robots for one interval of 100 steps
 export const MATCH = 'scenarios/match.json'; // ten minutes, both coaches
 

@@ -86,7 +86,7 @@ export function createSequenceSession({ engine, planner, playback, address, sche
      */
     async preview(scenario) {
       performance.mark('placement asked');
-      const refusal = await planner.open(scenario.method === 'approximate' ? scenario : { ...scenario, method: 'anytime' });
+      const refusal = await planner.open(scenario.method === 'approximate' ? scenario : { ...scenario, method: 'both-sides' });
       session.refusal = refusal;
       tell('change');
       return refusal;

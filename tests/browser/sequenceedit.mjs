@@ -145,6 +145,19 @@ export const cases = [
     },
   ],
   [
+    'keys_that_come_faster_than_placements_are_taken_lose_no_step',
+    async (open) => {
+      const { page, result, until } = await openPlan(open, SMALL);
+      await result('optimal');
+      await page.locator('#sequence-thing').selectOption('target-0');
+      await page.locator('#sequence .stage canvas').evaluate((canvas) => {
+        for (let press = 0; press < 6; press += 1) canvas.dispatchEvent(new KeyboardEvent('keydown', { key: press < 4 ? 'ArrowUp' : 'ArrowLeft', bubbles: true }));
+      });
+      await until(() => location.hash.includes('sequencing.target-x=-12') && location.hash.includes('sequencing.target-y=-6'));
+      await result('optimal');
+    },
+  ],
+  [
     'sequence_is_worked_by_keyboard_alone',
     async (open) => {
       const { page, result, until, letters } = await openPlan(open, SMALL);

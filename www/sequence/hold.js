@@ -15,6 +15,9 @@ export function createHold({ session, task, changed }) {
   let good = null;
   /** @type {Scenario | null} what is under the pointer */
   let shown = null;
+  /** Steps of the chosen thing that came while an earlier one was being taken, metres. */
+  let late = { x: 0, y: 0 };
+  let stepping = false;
 
   const hold = {
     /** @type {Thing | null} */
@@ -28,6 +31,7 @@ export function createHold({ session, task, changed }) {
     /** @param {Thing | null} thing */
     choose(thing) {
       hold.chosen = thing;
+      late = { x: 0, y: 0 };
       changed();
     },
 
@@ -74,10 +78,24 @@ export function createHold({ session, task, changed }) {
       changed();
     },
 
-    /** Moves the chosen thing. @param {number} dx @param {number} dy metres */
-    nudge(dx, dy) {
-      const place = hold.place();
-      return place ? hold.put({ x: place.x + dx, y: place.y + dy }) : undefined;
+    /**
+     * Moves the chosen thing. Keys come faster than placements are taken: what came meanwhile is taken in one.
+     *
+     * @param {number} dx @param {number} dy metres
+     */
+    async nudge(dx, dy) {
+      late = { x: late.x + dx, y: late.y + dy };
+      if (stepping) return;
+      stepping = true;
+      try {
+        for (let place = hold.place(); place && (late.x !== 0 || late.y !== 0); place = hold.place()) {
+          const to = { x: place.x + late.x, y: place.y + late.y };
+          late = { x: 0, y: 0 };
+          await hold.put(to);
+        }
+      } finally {
+        stepping = false;
+      }
     },
 
     /** A new obstacle, which is then chosen. @param {Form} form */

@@ -233,10 +233,10 @@ fn felt(bodies: &[Body; WALL + 1], touch: &Touch) -> f64 {
     Axis::new(&bodies[touch.a], &bodies[touch.b], touch, touch.normal).mass
 }
 
-/// Moves bodies apart until no overlap is deeper than the slop; velocities stay as they are.
-pub fn places(bodies: &mut [Body; WALL + 1], touches: &[Touch]) {
+/// Moves bodies apart until no overlap is deeper than the slop; velocities stay as they are. Returns whether anything moved.
+pub fn places(bodies: &mut [Body; WALL + 1], touches: &[Touch]) -> bool {
     if !touches.iter().any(|touch| touch.depth > SLOP) {
-        return;
+        return false;
     }
     let mut moved = [[0.0; 3]; WALL + 1];
     for _ in 0..PLACE_PASSES {
@@ -270,4 +270,5 @@ pub fn places(bodies: &mut [Body; WALL + 1], touches: &[Touch]) {
             body.turn(turn.clamp(-0.2, 0.2));
         }
     }
+    true
 }

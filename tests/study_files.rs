@@ -132,6 +132,11 @@ fn glance_of_success() {
 }
 
 #[test]
+fn glance_of_threshold() {
+    glance("threshold");
+}
+
+#[test]
 fn glance_of_turning() {
     glance("turning");
 }

@@ -282,10 +282,11 @@ impl State {
         self.answer(watches);
         let Self { game, teams, events, counts, driven } = self;
         let sides = [Colour::Blue, Colour::Yellow].map(|colour| game.side_of(colour));
-        let seen = [0, 1].map(|team| look(&teams[team], &game.view(sides[team])));
+        let views = sides.map(|side| game.view(side));
+        let seen = [0, 1].map(|team| look(&teams[team], &views[team]));
         let mut wheels = [[Wheels::default(); ROBOTS]; 2];
-        for ((team, side), watch) in teams.iter_mut().zip(sides).zip(watches) {
-            wheels[side.index()] = team.play_watched(&game.view(side), watch);
+        for (((team, side), view), watch) in teams.iter_mut().zip(sides).zip(&views).zip(watches) {
+            wheels[side.index()] = team.play_watched(view, watch);
         }
         if let Some(Driven { team, robot, wheels: told }) = *driven {
             wheels[sides[index(team)].index()][robot] = told;

@@ -1,4 +1,4 @@
-import { createPace } from '../pace.js';
+import { createMotion } from '../motion.js';
 import { FRAMES_PER_SECOND } from './film.js';
 
 /** @import { SoccerMatch } from './match.js' */
@@ -12,30 +12,29 @@ const WAIT_AFTER_GOAL = 12;
  * @param {SoccerMatch} match
  */
 export function createPlayback(match) {
-  /** @type {(() => void)[]} */
-  const listeners = [];
-  const pace = createPace(FRAMES_PER_SECOND);
-  let looping = false;
   let waited = 0; // ticks of the wait that is under way
   /** @type {{ tick: number, resolve: () => void } | null} */
   let aim = null;
 
-  const playback = {
+  const motion = createMotion(FRAMES_PER_SECOND, {
+    begin() {
+      if (match.over && playback.tick >= match.front()) playback.tick = 0;
+      return true;
+    },
+    advance,
+  });
+
+  const playback = Object.assign(motion, {
     tick: 0,
-    playing: false,
     /** Whether the waits of the referee are left out. */
     skips: true,
-    pace,
-
-    /** @param {() => void} listener told when the moment or whether it moves has changed */
-    on: (listener) => void listeners.push(listener),
 
     /** @param {number} tick */
     seek(tick) {
       const next = Math.min(Math.max(Math.round(tick), 0), match.front());
       waited = 0;
       playback.tick = next;
-      tell();
+      playback.tell();
     },
 
     /** Goes to a tick as soon as it is computed. @param {number} tick @returns {Promise<void>} */
@@ -44,28 +43,7 @@ export function createPlayback(match) {
         aim = { tick, resolve };
         arrive();
       }),
-
-    play() {
-      if (match.over && playback.tick >= match.front()) playback.tick = 0;
-      playback.playing = true;
-      pace.start(performance.now());
-      if (!looping) requestAnimationFrame(loop);
-      looping = true;
-      tell();
-    },
-
-    pause() {
-      if (!playback.playing) return;
-      playback.playing = false;
-      tell();
-    },
-
-    toggle: () => (playback.playing ? playback.pause() : playback.play()),
-  };
-
-  function tell() {
-    for (const listener of listeners) listener();
-  }
+  });
 
   function arrive() {
     if (!aim || (aim.tick > match.front() && !match.over)) return;
@@ -83,15 +61,9 @@ export function createPlayback(match) {
     return (goal ? WAIT_AFTER_GOAL : WAIT_SECONDS) * FRAMES_PER_SECOND;
   }
 
-  /** @param {number} now */
-  function loop(now) {
-    looping = playback.playing;
-    if (!looping) return;
-    requestAnimationFrame(loop);
-    const owed = pace.owed(now);
-    if (owed < 1) return;
-    pace.paid(owed);
-    let left = owed;
+  /** @param {number} ticks */
+  function advance(ticks) {
+    let left = ticks;
     while (left > 0) {
       const wait = waitAt(playback.tick) - waited;
       if (wait > 0) {
@@ -103,22 +75,21 @@ export function createPlayback(match) {
         waited = 0;
         left -= 1;
       } else {
-        left = 0; // what is not computed yet is waited for
-        if (match.over) playback.playing = false;
+        return !match.over; // what is not computed yet is waited for
       }
     }
-    tell();
+    return true;
   }
 
   match.on('opened', () => {
     playback.tick = 0;
     waited = 0;
-    tell();
+    playback.tell();
   });
   match.on('grown', arrive);
   match.on('cut', () => {
     playback.tick = Math.min(playback.tick, match.front());
-    tell();
+    playback.tell();
   });
   return playback;
 }

@@ -28,7 +28,7 @@ export function createSituations({ hold, session, drive, takeBack, stage, say })
     return { name, field, element: h('label', { class: 'place-field' }, label, field, unit) };
   });
   const place = h('span', { class: 'place' }, ...fields.map(({ element }) => element));
-  const refusal = h('p', { class: 'refused-place', id: 'soccer-refusal', role: 'alert' });
+  const refusal = h('p', { class: 'refusal', id: 'soccer-refusal', role: 'alert' });
   const back = button(words.undo, takeBack, { title: words.undoLong });
   const tools = h(
     'div',

@@ -69,13 +69,14 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     return arranged(now, moved({ ball: [now[18], now[19]], blue: spots(0), yellow: spots(3) }, hold.chosen, place));
   }
 
-  const roleNames = () => {
-    const names = wide() ? soccerText.roles : soccerText.short;
-    return Array.from({ length: BALL }, (_, robot) => names[setting.roles[match.film.role(playback.tick, robot)]] ?? '');
+  /** What is drawn of a moment; null while there is none. @param {number} tick @param {Float32Array} frame @param {Record<string, string>} names of the roles */
+  const sceneAt = (tick, frame, names) => {
+    const roles = Array.from({ length: BALL }, (_, robot) => names[setting.roles[match.film.role(tick, robot)]] ?? '');
+    return match.film.count > 0 ? { walls: setting.walls, frame, film: match.film, tick, names: roles, exchanged: match.exchanged, layers } : null;
   };
   const pitch = createPitch({
     label: soccerText.pitch.label,
-    scene: () => (match.film.count > 0 ? { walls: setting.walls, frame: shown(), film: match.film, tick: playback.tick, names: roleNames(), exchanged: match.exchanged, layers } : null),
+    scene: () => sceneAt(playback.tick, shown(), wide() ? soccerText.roles : soccerText.short),
     theme,
     drawn: () => handles.show(),
   });
@@ -113,7 +114,17 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     },
   });
   const transport = createSoccerTransport({ pane: frame.transport, match, playback, session, say });
-  const foot = createSoccerFoot({ pane: frame.foot, match, playback, session, pitch, theme, names, say });
+  const foot = createSoccerFoot({
+    pane: frame.foot,
+    match,
+    playback,
+    session,
+    scene: (tick) => sceneAt(tick, tick === playback.tick ? shown() : match.film.frame(tick), soccerText.roles),
+    theme,
+    names,
+    still: drive.end,
+    say,
+  });
 
   pitch.canvas.tabIndex = 0;
   pitch.canvas.setAttribute('role', 'application');

@@ -151,28 +151,44 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
   let loadingTournament = null;
   /** @type {Tournament | null} */
   let tournament = null;
-  const comparing = button(soccerText.compare.label, () => void toggleCompare(), { action: 'compare', title: soccerText.compare.title });
+  const comparing = button(soccerText.compare.label, toggleCompare, { action: 'compare', title: soccerText.compare.title });
   const playing = button(soccerText.tournament.open, () => void toggleTournament());
   for (const key of [comparing, playing]) key.setAttribute('aria-pressed', 'false');
   frame.head.append(playing, comparing);
 
-  async function toggleCompare() {
+  /** Opens A | B, or closes it. @param {string | null} kind who coaches blue in B; null for the usual other one */
+  async function showCompare(kind = null) {
     try {
       loadingCompare ??= import('./compare.js').then(({ createSoccerCompare }) => createSoccerCompare({ frame, session, playback, match, layers, spawn, theme, onTheme: themes.on, broke, announce }));
       compare = await loadingCompare;
     } catch (error) {
       loadingCompare = null; // a later wish tries again
       say(soccerText.compare.missing(messageOf(error)), 'problem');
+      session.compare(null);
       return;
     }
     if (tournament?.on()) tournament.close();
-    if (compare.on()) compare.close();
-    else {
-      await drive.end();
-      hold.choose(null);
-      compare.open();
-    }
+    await drive.end();
+    hold.choose(null);
+    compare.open(kind);
     show();
+  }
+
+  function closeCompare() {
+    session.compare(null);
+    if (compare?.on()) compare.close();
+    show();
+  }
+
+  function toggleCompare() {
+    if (compare?.on()) closeCompare();
+    else void showCompare();
+  }
+
+  /** A | B as the session asks for it: after a link, and after an engine that had ended. */
+  async function besideAsAsked() {
+    if (session.beside !== null) await showCompare(session.beside);
+    else if (compare?.on()) closeCompare();
   }
 
   async function toggleTournament() {
@@ -184,7 +200,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
       say(soccerText.compare.missing(messageOf(error)), 'problem');
       return;
     }
-    if (compare?.on()) compare.close();
+    if (compare?.on()) closeCompare();
     if (tournament.on()) tournament.close();
     else {
       await drive.end();
@@ -312,6 +328,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     }
   }
 
+  session.onLink(() => void besideAsAsked());
   session.on(() => {
     coachText.refresh();
     show();
@@ -349,6 +366,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
 
   return {
     show,
+    besideAsAsked,
     pause() {
       void drive.end();
       compare?.hold();
@@ -370,7 +388,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
       'new-seed': transport.newMatch,
       faster: transport.faster,
       slower: transport.slower,
-      compare: () => void toggleCompare(),
+      compare: toggleCompare,
       clear: () => (inspector.spread(false), hold.choose(null)),
     },
   };

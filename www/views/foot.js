@@ -47,7 +47,7 @@ export function createFoot({ pane, run, lens, state, session, theme, open, treeS
 
   const stem = () => `swarm-${session.preset}${lens.side() && `-${lens.side()}`}-seed${run.scenario.seed}-tick${run.tick}`;
   const caption = () => text.foot.caption(session.preset, lens.side(), run.scenario.seed, run.tick);
-  const address = async () => new URL(await session.link(), location.href).href;
+  const address = session.href;
 
   /** A link names one moment: while the world runs, the moment of the click. */
   async function copyLink() {

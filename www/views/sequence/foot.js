@@ -41,7 +41,7 @@ export function createSequenceFoot({ pane, planner, playback, session, map, them
   );
 
   const stem = () => `sequence-${session.preset}-seed${session.scenario.seed}`;
-  const address = async () => new URL(await session.link(), location.href).href;
+  const address = session.href;
   const caption = (/** @type {number} */ step) => sequenceText.foot.caption(session.preset, Number(session.scenario.seed), session.path()?.letters ?? '', step / 10);
 
   async function copyLink() {

@@ -46,7 +46,7 @@ export function createSoccerFoot({ pane, match, playback, session, theme, names,
   );
 
   const stem = () => `${session.preset}-seed${session.scenario().seed}`;
-  const address = async () => new URL(await session.link(), location.href).href;
+  const address = session.href;
   const caption = (/** @type {number} */ tick) => {
     const { phase, seconds } = match.film.clock(tick);
     const [blue, yellow] = names();

@@ -156,7 +156,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
   for (const key of [comparing, playing]) key.setAttribute('aria-pressed', 'false');
   frame.head.append(playing, comparing);
 
-  /** Opens A | B, or closes it. @param {string | null} kind who coaches blue in B; null for the usual other one */
+  /** Opens A | B. @param {string | null} kind who coaches blue in B; null for the usual other one */
   async function showCompare(kind = null) {
     try {
       loadingCompare ??= import('./compare.js').then(({ createSoccerCompare }) => createSoccerCompare({ frame, session, playback, match, layers, spawn, theme, onTheme: themes.on, broke, announce }));

@@ -1,4 +1,4 @@
-//! The robots and the ball against what was measured on rSim 1.2: soccer facts, section 4.2, row by row.
+//! The robots and the ball against what was measured on rSim 1.2, row by row.
 //!
 //! Values and tolerances are those of the table. Every row holds for 2, 4 and 8 substeps alike, but for row 13, which
 //! needs 4: with 2 a fast ball goes 8 mm into the robot before it is felt, and taking that away moves the robot as well.

@@ -1,4 +1,4 @@
-//! The referee: each rule of section 3 of the soccer facts, staged.
+//! The referee: each rule of VSSSLeague/VSSReferee, staged.
 #![expect(clippy::float_cmp, reason = "what is put somewhere stands exactly there, and what rests is exactly at rest")]
 
 #[cfg(target_arch = "wasm32")]

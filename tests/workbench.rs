@@ -309,3 +309,13 @@ fn a_setup_that_is_none_is_refused_with_the_path() {
         assert_eq!(error, expected, "{setup}");
     }
 }
+
+#[test]
+fn a_timeline_says_that_it_is_full_after_its_last_tick() {
+    let xml = document("<Near/>");
+    let (mut bench, moment) = opened(&json!({"xml": xml, "length": 99_999}));
+    assert!(!moment.full);
+    let last = bench.advance(5).expect("it runs");
+    assert_eq!((last.tick, last.full), (100_000, true));
+    assert_eq!(bench.advance(1).expect("it stands").tick, 100_000);
+}

@@ -2,6 +2,7 @@ import { text } from './ui/strings.en.js';
 import { button, h } from './ui/dom.js';
 import { splitOnce } from './pack.js';
 import { joined, parted } from './pagekeys.js';
+import { embedded } from './ui/storage.js';
 
 /** @import { State } from './state.js' */
 /** @import { Keys } from './ui/keys.js' */
@@ -35,6 +36,7 @@ import { joined, parted } from './pagekeys.js';
  * @typedef {object} Address a tab's own part of the address line
  * @property {(hash: string, push?: boolean) => void} write what the tab shows now; kept for later while another tab is open
  * @property {(hash: string) => boolean} knows whether the tab wrote this hash last
+ * @property {(hash: string) => string} href the whole address to be given away: what is hidden here is hidden there
  *
  * @typedef {object} Place one tab of the page
  * @property {string} name as in the address
@@ -241,6 +243,12 @@ export function createRouter({ places, nav, keys, tools }) {
         told = location.hash;
       },
       knows: (hash) => hash === room.kept,
+      href(hash) {
+        // What a frame or a lesson shows of a tab is for that place alone.
+        const pairs = room.page.split('&');
+        const page = room === current && !embedded ? pairs : pairs.filter((pair) => pair.startsWith('hide='));
+        return new URL(joined(hash, page.join('&')), location.href).href;
+      },
     };
   }
 

@@ -159,6 +159,9 @@ export function createSession({ engine, run, state, address, beside, schema, ver
       return writeLink({ version, schema, preset: session.preset, base: session.base, scenario, tick, fingerprint, beside: await beside.link() });
     },
 
+    /** The whole address to be given away. */
+    href: async () => address.href(await session.link()),
+
     /** Writes the moment on screen into the address: a new entry after a change of preset, else in place of the present one. */
     async writeAddress() {
       const ticket = ++writing;

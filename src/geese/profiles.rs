@@ -65,7 +65,7 @@
 //! | blended root | success on one | on all, shuffled | none: no status of the root is read, every child ticks |
 //! | test world, sampling | all runs, 5,000 steps | runs above a share | the study's own setting |
 //!
-//! Readings of the code where the facts leave room: the child mutates while it is mapped, so exactly the codons that the
+//! Readings of the code where it leaves room: the child mutates while it is mapped, so exactly the codons that the
 //! new derivation reads may change (the code mutates those that the old one used); a child that derives too deep is
 //! invalid and passes, only its length makes a pair be drawn again; cell mates are stored in the order of their numbers,
 //! not of their arrival; a look in all directions remembers an item if there is one.

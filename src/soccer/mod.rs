@@ -10,8 +10,9 @@
 //! | placements | a team whose own places are impossible stands by the table alone | `placing` |
 //! | camera | one for both teams; velocities without noise | [`noise`] |
 //!
-//! Source: soccer facts, sections 2 to 4, and the paper for which the league's game is the example: Haug, Brandão,
-//! Casals, "Coordinating a Robotics Multi-Agent System Using Behavior Trees", SAC 2024.
+//! Source: the league's own programs, VSSSLeague/VSSReferee and VSSSLeague/FIRASim, with rSim; and the paper for which
+//! the league's game is the example: Haug, Brandão, Casals, "Coordinating a Robotics Multi-Agent System Using Behavior
+//! Trees", SAC 2024.
 
 mod arrangement;
 mod game;

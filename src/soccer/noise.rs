@@ -6,7 +6,7 @@
 //! The camera is one for both teams, as in the league's simulators: it sees places and headings with noise, and tells
 //! velocities as they are, since filters are not what is studied here.
 //!
-//! Source: soccer facts, section 4.4; losses and delays are options of FIRASim (section 4.1).
+//! Source: our choice; losses and delays are options of FIRASim.
 
 use super::params::Params;
 use super::physics::{BALL, Drive, Physics, ROBOTS};

@@ -1,6 +1,7 @@
 //! The pitch: where things are, in metres, with the origin at the centre, x to the right and y up.
 //!
-//! Source: soccer facts, section 2, whose numbers are the league's. The pitch is the same after a mirror in either axis.
+//! Source: the pitch of VSSSLeague/VSSReferee; its corners are the walls of FIRASim and rSim, at 45 degrees. The pitch
+//! is the same after a mirror in either axis.
 
 use super::view::{Ball, Pose};
 use serde::Serialize;
@@ -91,7 +92,7 @@ impl Side {
     /// A place or velocity in the frame of the team that defends this side, or back: for the right one turned by 180
     /// degrees.
     ///
-    /// Source: section 2, team frame.
+    /// Source: our choice: each team computes as if it defended the left goal.
     #[must_use]
     pub fn turned(self, [x, y]: [f64; 2]) -> [f64; 2] {
         match self {
@@ -142,7 +143,7 @@ pub fn area_of(at: [f64; 2]) -> Option<Side> {
 
 /// The side in whose goal the ball is: all of it has crossed the line.
 ///
-/// Source: section 3.2, goal test. The bound on y is wider than the mouth; the walls narrow it.
+/// Source: VSSSLeague/VSSReferee, the checker of goals. The bound on y is wider than the mouth; the walls narrow it.
 #[must_use]
 pub fn goal_of([x, y]: [f64; 2]) -> Option<Side> {
     (x.abs() > HALF_LENGTH + BALL_RADIUS && y.abs() < AREA_HALF).then_some(Side::of(x))

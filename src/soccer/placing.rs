@@ -23,9 +23,9 @@ pub struct Placing {
 /// - `lineups`: of the left and the right team, in the team's frame.
 /// - `keeper`: where a goal kick is taken.
 ///
-/// Source: section 3.3. A team whose own places are off the pitch or on the ball stands by the table, the other does not
-/// (our choice: nobody shall gain by the other's fault). If two robots would then be closer than [`CLEARANCE`], or
-/// overlap, both teams do.
+/// Source: VSSSLeague/VSSReferee, placements. A team whose own places are off the pitch or on the ball stands by the
+/// table, the other does not (our choice: nobody shall gain by the other's fault). If two robots would then be closer than
+/// [`CLEARANCE`], or overlap, both teams do.
 #[must_use]
 pub fn place(decision: &Decision, lineups: &[Lineup; 2], keeper: KeeperSide, referee: &Referee) -> Placing {
     let mut forced = Vec::new();

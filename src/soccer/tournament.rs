@@ -1,7 +1,7 @@
 //! Tournaments: results of games in, the table out.
 //!
 //! Source: Haug et al. 2024, table 4: three points for a victory, one for a tie. The paper gives no order for equal
-//! points; ours is that of soccer facts, section 13: goal difference, goals scored, direct result.
+//! points; ours is that of soccer leagues: goal difference, goals scored, direct result.
 
 use std::cmp::{Ordering, Reverse};
 use std::fmt;

@@ -1,7 +1,7 @@
 //! What a team sees and what it answers: the border between the match and whoever plays it.
 //!
-//! Everything here is in the team's own frame (soccer facts, section 2): the own goal is at x = -0.75, the other team's at
-//! x = 0.75, y to the left of a robot that looks at the other team's goal. Metres, seconds, radians.
+//! Everything here is in the team's own frame: the own goal is at x = -0.75, the other team's at x = 0.75, y to
+//! the left of a robot that looks at the other team's goal. Metres, seconds, radians.
 
 /// Robots of one team.
 pub const ROBOTS: usize = 3;
@@ -66,7 +66,7 @@ pub struct Call {
     pub restart: Restart,
     /// The team that takes it.
     pub taker: Whose,
-    /// The quadrant, 1 to 4 (section 2), in the team's frame; of a free ball only, else 0.
+    /// The quadrant, 1 to 4, in the team's frame; of a free ball only, else 0.
     pub quadrant: u8,
     /// Counts the calls of a match from 1.
     pub number: u32,
@@ -89,7 +89,7 @@ pub struct View {
     pub theirs: [Pose; ROBOTS],
 }
 
-/// The place that a role takes at a restart: a column of the placement table (section 3.3).
+/// The place that a role takes at a restart: a column of the placement table of VSSReferee.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slot {
     /// Goalkeeper or penalty defender.

@@ -168,9 +168,14 @@ impl Run {
         run
     }
 
+    /// True when no further tick can be recorded: of the returns, or of the ticks, there are as many as a timeline keeps.
+    pub(super) fn is_full(&self) -> bool {
+        self.record.is_full() || self.record.length() >= MOST_TICKS
+    }
+
     /// Makes one tick and what the script says behind it; false when the timeline is full.
     fn step(&mut self) -> bool {
-        if self.state.tick == self.record.length() && (self.record.is_full() || self.state.tick >= MOST_TICKS) {
+        if self.state.tick == self.record.length() && self.is_full() {
             return false;
         }
         self.state.tick += 1;

@@ -131,7 +131,7 @@ impl Moment {
             progress: (0..).zip(&state.progress).filter_map(|(node, made)| made.map(|made| (node, made))).collect(),
             entries: entries(run),
             stopped,
-            full: run.record.is_full(),
+            full: run.is_full(),
             fingerprint: format!("{:016x}", run.fingerprint()),
         };
         if let Some(row) = run.record.row(state.tick) {

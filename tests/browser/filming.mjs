@@ -3,15 +3,28 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BufferSource, EncodedPacketSink, Input } from 'mediabunny';
+import { SHORT, openSoccer } from './pitch.mjs';
+import { openPlan } from './plan.mjs';
 import { linkTo, openStudy } from './studies.mjs';
 
-/** Fills the dialog and waits for the file. @param {import('./browser.mjs').Opened} opened @param {Record<string, string>} fields */
-async function film({ page }, fields) {
-  await page.locator('#foot').getByRole('button', { name: 'Video', exact: true }).click();
-  for (const [label, value] of Object.entries(fields)) await page.locator('.video-dialog').getByLabel(label).fill(value);
-  await page.locator('.video-dialog select').selectOption('480');
+/** Opens the dialog of the open tab. @param {import('playwright-core').Page} page */
+async function openFilm(page) {
+  await page.locator('.page-tab:not([hidden]) .foot').getByRole('button', { name: 'Video', exact: true }).click();
+  return page.locator('.video-dialog');
+}
+
+/** Fills the dialog and waits for the file. @param {import('./browser.mjs').Opened} opened @param {Record<string, string>} fields @param {string} [stretch] a button pressed before */
+async function film({ page }, fields, stretch) {
+  const dialog = await openFilm(page);
+  if (stretch) await dialog.getByRole('button', { name: stretch }).click();
+  for (const [label, value] of Object.entries(fields)) {
+    const field = dialog.getByLabel(label);
+    if (await field.evaluate((element) => element.matches('select'))) await field.selectOption(value);
+    else await field.fill(value);
+  }
+  await dialog.getByLabel('Pixels').selectOption('480');
   const waiting = page.waitForEvent('download');
-  await page.locator('.video-dialog').getByRole('button', { name: 'Film', exact: true }).click();
+  await dialog.getByRole('button', { name: 'Film', exact: true }).click();
   const download = await waiting;
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
 }
@@ -26,6 +39,30 @@ async function watch(bytes) {
   return { width: track.displayWidth, height: track.displayHeight, times };
 }
 
+/** @param {number[]} times */
+const assertEven = (times) => times.forEach((time, at) => assert.ok(Math.abs(time - at / 30) < 0.0006, `picture ${at} at ${time} s`)); // a container counts in milliseconds
+
+/**
+ * Shades of a picture as a browser shows it, of 24 x 18 spots. The page holds the decoder.
+ *
+ * @param {import('playwright-core').Page} page
+ * @param {Buffer} bytes
+ * @param {number} time seconds
+ */
+const shades = (page, bytes, time) =>
+  page.evaluate(
+    async ([base64, at]) => {
+      const { ALL_FORMATS, BufferSource, CanvasSink, Input } = /** @type {typeof import('mediabunny')} */ (/** @type {any} */ (globalThis).Mediabunny);
+      const source = new BufferSource(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)));
+      const track = await new Input({ formats: ALL_FORMATS, source }).getPrimaryVideoTrack();
+      if (!track) return [];
+      const found = await new CanvasSink(track, { width: 24, height: 18, fit: 'fill' }).getCanvas(at);
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (found?.canvas.getContext('2d'));
+      return [...context.getImageData(0, 0, 24, 18).data];
+    },
+    /** @type {[string, number]} */ ([bytes.toString('base64'), time]),
+  );
+
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
   [
@@ -37,7 +74,7 @@ export const cases = [
       assert.match(name, /^swarm-foraging-seed9-20-to-80\.(mp4|webm)$/);
       const { width, height, times } = await watch(bytes);
       assert.deepEqual([width, height, times.length], [480, 480, 31]);
-      times.forEach((time, at) => assert.ok(Math.abs(time - at / 30) < 0.0006, `picture ${at} at ${time} s`)); // a container counts in milliseconds
+      assertEven(times);
       await opened.notice(/Saved swarm-foraging-seed9-20-to-80.*31 pictures/);
       assert.equal(await opened.at(25), before, 'the run on screen stays as it was');
       assert.deepEqual(opened.problems, []);
@@ -48,8 +85,7 @@ export const cases = [
     'a_film_that_makes_no_sense_is_refused_and_one_under_way_can_be_stopped',
     async (open) => {
       const { page } = await open('#/forage?preset=foraging&seed=9');
-      await page.locator('#foot').getByRole('button', { name: 'Video', exact: true }).click();
-      const dialog = page.locator('.video-dialog');
+      const dialog = await openFilm(page);
       const start = dialog.getByRole('button', { name: 'Film', exact: true });
       for (const [label, value] of [['To tick', '12001'], ['To tick', '-1'], ['From tick', '1.5'], ['Ticks per picture', '0'], ['To tick', '']]) {
         const field = dialog.getByLabel(label);
@@ -75,9 +111,77 @@ export const cases = [
       await page.goto(page.url().replace(/#.*/, '#/forage'));
       await page.reload();
       await page.waitForFunction(() => document.body.dataset.state !== 'loading');
-      await page.locator('#foot').getByRole('button', { name: 'Video', exact: true }).click();
-      await page.locator('.video-dialog').getByRole('button', { name: 'Film', exact: true }).click();
+      const dialog = await openFilm(page);
+      await dialog.getByRole('button', { name: 'Film', exact: true }).click();
       await page.locator('#video-extent').filter({ hasText: 'cannot encode video' }).waitFor();
+    },
+  ],
+  [
+    'a_film_of_a_match_shows_the_stretch_asked_for_with_even_timing',
+    async (open) => {
+      const soccer = await openSoccer(open, SHORT, { acceptDownloads: true, bypassCSP: true }); // so that the test may decode in the page
+      const { page } = soccer;
+      const fingerprint = await soccer.whole();
+      await soccer.seek(600);
+      const dialog = await openFilm(page);
+      assert.deepEqual([await dialog.getByLabel('From second').inputValue(), await dialog.getByLabel('To second').inputValue()], ['10', '40'], 'the next 30 seconds');
+      await page.locator('#video-extent').filter({ hasText: '901 pictures, 30.0 s at 30' }).waitFor(); // 30 s at real time, and the last
+      for (const [label, value] of [['To second', '40.1'], ['From second', '-1'], ['From second', ''], ['To second', '9']]) {
+        const field = dialog.getByLabel(label);
+        const good = await field.inputValue();
+        await field.fill(value);
+        await page.locator('#video-extent').filter({ hasText: 'Expected seconds from 0 to 40' }).waitFor();
+        assert.ok(await dialog.getByRole('button', { name: 'Film', exact: true }).isDisabled(), `${label} ${value}`);
+        await field.fill(good);
+      }
+      await dialog.getByRole('button', { name: 'Close' }).click();
+      const { name, bytes } = await film(soccer, { Speed: '8' }, 'Whole match');
+      assert.match(name, /^match-seed3-0-to-40s\.(mp4|webm)$/);
+      const { width, height, times } = await watch(bytes);
+      assert.deepEqual([width, height, times.length], [480, 388, 301]); // 2400 ticks, 8 per picture, and the last
+      assertEven(times);
+      await page.addScriptTag({ path: 'node_modules/mediabunny/dist/bundles/mediabunny.min.cjs' });
+      const [kickOff, again, later] = [await shades(page, bytes, 0), await shades(page, bytes, 0), await shades(page, bytes, 6)];
+      assert.equal(kickOff.length, 24 * 18 * 4);
+      assert.deepEqual(kickOff, again);
+      assert.ok(kickOff.some((shade, at) => Math.abs(shade - later[at]) > 20), 'robots and ball have moved');
+      assert.equal(await soccer.whole(), fingerprint, 'the match stays as it was');
+      assert.equal(await soccer.tick(), 600);
+      assert.deepEqual(soccer.problems, []);
+      return name;
+    },
+  ],
+  [
+    'a_film_of_a_match_waits_for_what_is_not_computed_yet',
+    async (open) => {
+      const soccer = await openSoccer(open, '#/soccer?preset=match&seed=5&soccer.half-seconds=300', { acceptDownloads: true });
+      const { bytes } = await film(soccer, { 'From second': '590', 'To second': '600', Speed: '32' });
+      const { times } = await watch(bytes);
+      assert.equal(times.length, 20); // 600 ticks, 32 per picture: 19, and the last
+      assertEven(times);
+      await soccer.whole();
+      assert.deepEqual(soccer.problems, []);
+    },
+  ],
+  [
+    'a_film_of_a_plan_shows_it_from_start_to_end_and_none_is_made_of_no_plan',
+    async (open) => {
+      const plan = await openPlan(open, '#/sequence?preset=plan-small&seed=3&plan=EEN&t=120', { acceptDownloads: true });
+      await plan.planned();
+      const last = Number(await plan.page.locator('#sequence-scrub').getAttribute('max'));
+      const { name, bytes } = await film(plan, {});
+      assert.match(name, new RegExp(`^sequence-plan-small-seed3-0-to-${last / 10}s\\.(mp4|webm)$`));
+      const { width, height, times } = await watch(bytes);
+      assert.deepEqual([width, height, times.length], [480, 480, Math.ceil(last / 3) + 1]);
+      assertEven(times);
+      await plan.notice(/Saved sequence-plan-small/);
+      assert.equal(await plan.page.locator('#sequence-scrub').inputValue(), '120', 'the moment on screen stays');
+      const none = await openPlan(open, '#/sequence?preset=plan-walled');
+      await none.result('infeasible');
+      await none.page.locator('#sequence .foot').getByRole('button', { name: 'Video', exact: true }).click();
+      await none.notice(/There is no plan/);
+      assert.deepEqual(plan.problems.concat(none.problems), []);
+      return name;
     },
   ],
   [

@@ -176,6 +176,27 @@ export const cases = [
     },
   ],
   [
+    'sequence_a_and_b_are_part_of_the_link_and_reopened_by_it',
+    async (open) => {
+      const first = await openPlan(open, SMALL);
+      await first.result('optimal');
+      await first.page.getByRole('button', { name: 'A | B' }).click();
+      await first.page.locator('#sequence-pair').selectOption('weight');
+      await first.until(() => location.hash.includes('&b=weight'));
+      const said = await first.page.locator('#sequence-compare').filter({ hasText: /^A:/ }).textContent();
+      const again = await openPlan(open, await first.hash());
+      await again.page.locator('#sequence-compare').filter({ hasText: said ?? '' }).waitFor();
+      await eventually(async () => assert.equal(await again.page.locator('#sequence-pair').inputValue(), 'weight'));
+      await again.page.getByRole('button', { name: 'A | B' }).click();
+      await again.until(() => !location.hash.includes('b=weight'));
+      const bad = await openPlan(open, `${SMALL}&b=colour`);
+      await bad.notice(/'b' was left out: found 'colour', expected one of literal, weight, geodesic/);
+      await bad.result('optimal');
+      assert.equal(await bad.page.locator('#sequence .sequence-side').count(), 0);
+      assert.deepEqual(first.problems.concat(again.problems, bad.problems), []);
+    },
+  ],
+  [
     'sequence_game_hides_the_search_and_ends_with_the_proof',
     async (open) => {
       const { page, result, tab, until } = await openPlan(open, SMALL);

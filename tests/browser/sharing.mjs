@@ -69,6 +69,42 @@ export const cases = [
       assert.deepEqual(second.problems, []);
     },
   ],
+  ...['#/forage?preset=foraging&seed=9', '#/trees?preset=two-running', '#/sequence?preset=plan-small&seed=3', '#/soccer?preset=match&seed=3&soccer.half-seconds=20', '#/studies/depth?size=glance'].map((hash) => /** @type {import('./browser.mjs').Case} */ ([
+    `what_is_hidden_stays_hidden_in_links_copied_from_the_footer_of_${(/\w+/.exec(hash) ?? [])[0]}`,
+    async (open) => {
+      const { page, notice, problems } = await open(`${hash}${hash.includes('?') ? '&' : '?'}hide=seed,words`, { permissions: ['clipboard-read', 'clipboard-write'] });
+      const foot = page.locator('.page-tab:not([hidden]) .foot');
+      const given = async (/** @type {string} */ name) => {
+        await page.evaluate(() => navigator.clipboard.writeText(''));
+        await foot.getByRole('button', { name, exact: true }).click();
+        return eventually(async () => {
+          const written = await page.evaluate(() => navigator.clipboard.readText());
+          assert.notEqual(written, '');
+          return written;
+        });
+      };
+      const names = ['Copy link', 'Cite'].slice(0, await foot.getByRole('button', { name: /^(Copy link|Cite)$/ }).count());
+      for (const name of names) assert.match(await given(name), /#\/\S+[?&]hide=seed,words(\s|$)/, name);
+      await page.locator('[data-action=show-all]').click();
+      for (const name of names) assert.doesNotMatch(await given(name), /hide=/, `${name}, after all is shown`);
+      await notice(/clipboard/);
+      assert.deepEqual(problems, []);
+    },
+  ])),
+  [
+    'a_link_copied_in_a_frame_opens_the_whole_page',
+    async (open) => {
+      const { page } = await open('#/forage?preset=foraging&seed=9&embed=1&ui=play,foot&hide=seed', { permissions: ['clipboard-read', 'clipboard-write'] });
+      await page.locator('[data-action=copy-link]').click();
+      const link = await eventually(async () => {
+        const written = await page.evaluate(() => navigator.clipboard.readText());
+        assert.match(written, /preset=foraging/);
+        return written;
+      });
+      assert.match(link, /&hide=seed$/);
+      assert.doesNotMatch(link, /embed=|ui=/);
+    },
+  ],
   [
     'the_dialog_gives_versioned_link_frame_code_citation_and_file',
     async (open) => {

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { eventually } from './browser.mjs';
-import { openSoccer } from './pitch.mjs';
+import { SHORT, openSoccer } from './pitch.mjs';
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -25,6 +25,33 @@ export const cases = [
       await eventually(async () => assert.equal(await page.locator('#soccer .soccer-side').count(), 0));
       await page.locator('#soccer .pitch-stage.own canvas').waitFor();
       assert.deepEqual(problems, []);
+    },
+  ],
+  [
+    'soccer_a_and_b_are_part_of_the_link_and_reopened_by_it',
+    async (open) => {
+      const first = await openSoccer(open);
+      await first.whole();
+      await first.page.getByRole('button', { name: 'A | B' }).click();
+      await first.page.locator('#soccer-other').selectOption('chase');
+      await first.until(() => location.hash.includes('&b.soccer.blue=chase'));
+      const said = await first.page.locator('#soccer-compare').filter({ hasText: 'At full time' }).textContent();
+      const again = await openSoccer(open, await first.hash());
+      await again.page.locator('#soccer-compare').filter({ hasText: said ?? '' }).waitFor();
+      await eventually(async () => assert.equal(await again.page.locator('#soccer-other').inputValue(), 'chase'));
+      await again.until(() => location.hash.includes('&b.soccer.blue=chase'));
+      await again.page.getByRole('button', { name: 'A | B' }).click();
+      await again.until(() => !location.hash.includes('b.soccer'));
+      await again.page.evaluate(() => (location.hash = location.hash.replace('&t=', '&b.soccer.blue=formation&t=').replace(/&f=.*/, '&b.soccer.blue=formation')));
+      await eventually(async () => assert.equal(await again.page.locator('#soccer-other').inputValue(), 'formation'));
+      await again.page.evaluate(() => (location.hash = '#/soccer?preset=match&seed=4&soccer.half-seconds=20'));
+      await eventually(async () => assert.equal(await again.page.locator('#soccer .soccer-side').count(), 0));
+      const bad = await openSoccer(open, `${SHORT}&b.soccer.blue=wizard&b.soccer.seed=3`);
+      await bad.notice(/'b\.soccer\.blue' was left out: found 'wizard', expected one of /);
+      await bad.notice(/The link holds 'b\.soccer\.seed'/);
+      await bad.whole();
+      assert.equal(await bad.page.locator('#soccer .soccer-side').count(), 0);
+      assert.deepEqual(first.problems.concat(again.problems, bad.problems), []);
     },
   ],
   [

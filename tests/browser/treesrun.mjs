@@ -223,6 +223,59 @@ export const cases = [
     },
   ],
   [
+    'comparison_is_part_of_the_link_and_reopened_by_it',
+    async (open) => {
+      const xml = packed(documentOf('<Fallback><Near/><Grasp/></Fallback>', '<Condition ID="Near"/><Action ID="Grasp"/>'));
+      const first = await openBench(open, `#/trees?xml=${xml}&length=3&t=3`);
+      await first.at(3);
+      await first.page.locator('.compare-switch').click();
+      await first.page.locator('.compare-panel').nth(1).waitFor();
+      await first.until(() => location.hash.includes('&compare=3.5&'));
+      const again = await openBench(open, await first.hash());
+      await again.page.locator('.compare-panel h3').filter({ hasText: 'ReactiveFallback' }).waitFor();
+      await again.until(() => location.hash.includes('&compare=3.5&'));
+      await again.page.locator('.compare-switch').click();
+      await again.until(() => !location.hash.includes('compare='));
+      // The opening tree is compared by itself: its link says when it is not.
+      const plain = await openBench(open);
+      await plain.page.locator('.compare-panel').nth(2).waitFor();
+      await plain.until(() => location.hash.includes('&t=2&') && !location.hash.includes('compare='));
+      await plain.page.locator('.compare-switch').click();
+      await plain.until(() => location.hash.includes('&compare=none&'));
+      const closed = await openBench(open, await plain.hash());
+      await closed.at(2);
+      await closed.until(() => location.hash.includes('&compare=none&'));
+      assert.equal(await closed.page.locator('.compare').isVisible(), false);
+      const bad = await openBench(open, `#/trees?xml=${xml}&compare=sideways`);
+      await bad.notice(/'compare' was left out: found 'sideways', expected line and column as in 3\.5, or none/);
+      const nowhere = await openBench(open, `#/trees?xml=${xml}&compare=9.9`);
+      await nowhere.notice(/'compare' was left out: no sequence or fallback stands at line 9, column 9/);
+      for (const { said } of [first, again, plain, closed, bad, nowhere]) assert.deepEqual(said(), []);
+    },
+  ],
+  ...[
+    ['ticks', documentOf('<AlwaysSuccess/>'), 100_000],
+    // 901 nodes return in each tick, and a timeline keeps 2^23 returns.
+    ['returns', documentOf(`<Sequence>${'<AlwaysSuccess/>'.repeat(900)}</Sequence>`), Math.ceil(2 ** 23 / 901)],
+  ].map(([what, xml, last]) => /** @type {import('./browser.mjs').Case} */ ([
+    `a_timeline_full_of_${what}_ends_the_run_and_says_why`,
+    async (open) => {
+      const { page, at, inState, seek, said } = await openBench(open, `#/trees?xml=${packed(String(xml))}&length=${Number(last) - 40}&t=${Number(last) - 40}`);
+      await at(Number(last) - 40);
+      await inState('paused');
+      await page.locator('#trees .play').click();
+      await inState('finished');
+      await at(Number(last));
+      await page.locator('#trees .tag').filter({ hasText: 'no further tick can be recorded' }).waitFor();
+      assert.ok(await page.locator('#trees .play').isDisabled());
+      await seek(Number(last) - 1);
+      await inState('paused');
+      await page.locator('#trees [data-action=forward]').click();
+      await inState('finished');
+      assert.deepEqual(said(), []);
+    },
+  ])),
+  [
     'comparison_needs_a_sequence_or_fallback',
     async (open) => {
       const { page, at } = await openBench(open, `#/trees?xml=${packed(documentOf('<AlwaysSuccess/>'))}`);

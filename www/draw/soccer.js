@@ -115,6 +115,19 @@ export function drawTrail(context, { width, height, film, tick }, theme) {
 }
 
 /**
+ * All of it, for pictures.
+ *
+ * @param {CanvasRenderingContext2D} context
+ * @param {PitchScene} scene
+ * @param {PitchTheme} theme
+ */
+export function drawMatch(context, scene, theme) {
+  drawPitch(context, scene, theme);
+  if (scene.layers.trail) drawTrail(context, scene, theme);
+  drawPlayers(context, scene, theme);
+}
+
+/**
  * Robots and ball. Blue carries a disc, yellow a diamond; the notch is the front.
  *
  * @param {CanvasRenderingContext2D} context

@@ -112,31 +112,54 @@ export function createBoard({ element, frame, state, planner, playback, session,
   let loading = null;
   /** @type {SequenceCompare | null} */
   let compare = null;
-  const comparing = button(sequenceText.compare.label, () => void toggleCompare(), { action: 'compare', title: sequenceText.compare.title });
+  const comparing = button(sequenceText.compare.label, toggleCompare, { action: 'compare', title: sequenceText.compare.title });
   comparing.setAttribute('aria-pressed', 'false');
   frame.head.append(comparing);
 
   let rested = false; // whether the search was interrupted for A | B
-  async function toggleCompare() {
+  /** Opens A | B. @param {string | null} wanted in what the two differ; null for what was compared last */
+  async function showCompare(wanted = null) {
     try {
       loading ??= import('./compare.js').then(({ createCompare }) => createCompare({ frame, session, playback, layers, spawn, theme, onTheme: themes.on, broke, announce }));
       compare = await loading;
     } catch (error) {
       loading = null; // a later wish tries again
       say(sequenceText.compare.missing(messageOf(error)), 'problem');
+      session.compare(null);
       return;
     }
-    if (compare.on()) {
-      compare.close();
-      if (rested) void planner.resume();
-    } else {
+    if (!compare.on()) {
       if (game.stage !== 'off') game.end();
       rested = planner.status === 'searching';
       planner.hold(); // two searches are enough
-      compare.open();
     }
-    comparing.setAttribute('aria-pressed', String(compare.on()));
-    frame.pane.classList.toggle('comparing', compare.on());
+    compare.open(wanted);
+    showSides();
+  }
+
+  /** Closes A | B. @param {boolean} [again] whether the search of the page goes on */
+  function closeCompare(again = true) {
+    compare?.close();
+    if (again && rested) void planner.resume();
+    showSides();
+  }
+
+  function toggleCompare() {
+    if (!compare?.on()) return void showCompare();
+    session.compare(null);
+    closeCompare();
+  }
+
+  /** A | B as the session asks for it: after a link, and after an engine that had ended. */
+  async function besideAsAsked() {
+    if (session.beside !== null) await showCompare(session.beside);
+    else if (compare?.on()) closeCompare();
+  }
+
+  function showSides() {
+    const on = compare?.on() ?? false;
+    comparing.setAttribute('aria-pressed', String(on));
+    frame.pane.classList.toggle('comparing', on);
     settle();
     show();
   }
@@ -200,6 +223,7 @@ export function createBoard({ element, frame, state, planner, playback, session,
     map.invalidate();
   });
   session.on('change', show);
+  session.on('link', () => void besideAsAsked());
   planner.on('task', () => {
     if (game.stage !== 'off') game.end(); // it was of another task
     if (compare?.on()) {
@@ -252,6 +276,7 @@ export function createBoard({ element, frame, state, planner, playback, session,
   }
 
   return {
+    besideAsAsked,
     /** The first scenario is there. */
     begin() {
       settle();
@@ -267,10 +292,10 @@ export function createBoard({ element, frame, state, planner, playback, session,
     /** The engine has ended. */
     abandon() {
       if (game.stage !== 'off') game.end();
-      if (compare?.on()) void toggleCompare();
+      if (compare?.on()) closeCompare(false);
     },
     actions: {
-      compare: () => void toggleCompare(),
+      compare: toggleCompare,
       toggle: playback.toggle,
       forward: () => transport.step(1),
       back: () => transport.step(-1),

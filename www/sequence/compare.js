@@ -69,7 +69,10 @@ export function createCompare({ frame, session, playback, layers, spawn, theme, 
   });
 
   const pair = h('select', { id: 'sequence-pair' }, ...words.pairs.map(([value, label]) => h('option', { value }, label)));
-  pair.addEventListener('change', () => void run());
+  pair.addEventListener('change', () => {
+    session.compare(pair.value);
+    void run();
+  });
   const status = h('p', { class: 'compare-said', id: 'sequence-compare' });
   const bar = h('div', { class: 'compare-bar' }, h('label', { for: pair.id }, words.pair), pair, button(words.again, () => void run()), status);
   const element = h('div', { class: 'sequence-sides' }, ...sides.map((side) => side.element));
@@ -110,7 +113,12 @@ export function createCompare({ frame, session, playback, layers, spawn, theme, 
     element,
     on: () => on,
 
-    open() {
+    /** @param {string | null} wanted in what A and B differ; null for what was compared last */
+    open(wanted) {
+      const same = wanted === null || wanted === pair.value;
+      pair.value = wanted ?? pair.value;
+      session.compare(pair.value);
+      if (on) return void (same || run());
       on = true;
       frame.stages.prepend(element);
       frame.head.prepend(bar);
@@ -118,6 +126,7 @@ export function createCompare({ frame, session, playback, layers, spawn, theme, 
       void run();
     },
 
+    /** Ends both searches; whether the session still asks for them is not decided here. */
     close() {
       on = false;
       for (const { planner, engine } of sides) {

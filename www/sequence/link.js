@@ -12,6 +12,7 @@ import { text } from '../ui/strings.en.js';
  * @property {string} preset
  * @property {Map<string, Value | unknown[]>} values by full key
  * @property {string | null} plan letters of a plan made by hand
+ * @property {string | null} beside in A | B, in what the two differ; null when the map stands alone
  * @property {number} step the moment, in steps of 0.1 s
  * @property {string[]} problems one sentence for each thing that could not be read
  */
@@ -20,11 +21,12 @@ const MOST_STEPS = 72_000;
 const PLAIN = /^[\w.-]*$/; // letters that stand in an address as they are
 
 /**
- * The whole scenario as the hash of an address: what differs from the preset, the plan made by hand, the moment.
+ * The whole scenario as the hash of an address: what differs from the preset, the plan made by hand, what A | B compares, the
+ * moment.
  *
- * @param {{ version: string, preset: string, base: Scenario, scenario: Scenario, schema: Parameter[], plan: string | null, step: number }} what
+ * @param {{ version: string, preset: string, base: Scenario, scenario: Scenario, schema: Parameter[], plan: string | null, beside: string | null, step: number }} what
  */
-export async function writeSequenceLink({ version, preset, base, scenario, schema, plan, step }) {
+export async function writeSequenceLink({ version, preset, base, scenario, schema, plan, beside, step }) {
   const parts = [`v=${version}`, `preset=${encodeURIComponent(preset)}`];
   for (const { key, type } of schema) {
     const value = scenario[fieldOf(key)];
@@ -33,6 +35,7 @@ export async function writeSequenceLink({ version, preset, base, scenario, schem
     parts.push(`${key}=${type === 'list' ? await pack(written) : encodeURIComponent(String(value))}`);
   }
   if (plan !== null) parts.push(`plan=${encodeURIComponent(plan)}`);
+  if (beside !== null) parts.push(`b=${beside}`);
   if (step > 0) parts.push(`t=${step}`);
   return `#/sequence?${parts.join('&')}`;
 }
@@ -47,7 +50,7 @@ export async function writeSequenceLink({ version, preset, base, scenario, schem
  */
 export async function readSequenceLink(hash, schema, presets) {
   /** @type {SequenceLink} */
-  const link = { version: '', preset: presets[0], values: new Map(), plan: null, step: 0, problems: [] };
+  const link = { version: '', preset: presets[0], values: new Map(), plan: null, beside: null, step: 0, problems: [] };
   const [, query = ''] = splitOnce(hash, '?');
   for (const pair of query.split('&')) {
     if (!pair) continue;
@@ -77,6 +80,11 @@ async function readPair(link, key, raw, schema, presets) {
     const value = decode(raw);
     if (!presets.includes(value)) throw new Error(text.link.preset(value, presets));
     link.preset = value;
+  } else if (key === 'b') {
+    const pairs = sequenceText.compare.pairs.map(([name]) => name);
+    const value = decode(raw);
+    if (!pairs.includes(value)) throw new Error(text.link.preset(value, pairs));
+    link.beside = value;
   } else if (key === 't') {
     if (!/^\d{1,5}$/.test(raw) || Number(raw) > MOST_STEPS) throw new Error(text.value.number(raw, true, 0, MOST_STEPS));
     link.step = Number(raw);

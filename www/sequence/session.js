@@ -28,8 +28,8 @@ const UNLISTED = ['obstacles', 'obstacle-list', 'start-list'];
  *   presets: Preset[], say: Say }} parts
  */
 export function createSequenceSession({ engine, planner, playback, address, schema, version, presets, say }) {
-  /** @type {Record<'change' | 'path', (() => void)[]>} */
-  const listeners = { change: [], path: [] };
+  /** @type {Record<'change' | 'path' | 'link', (() => void)[]>} */
+  const listeners = { change: [], path: [], link: [] };
   /** @type {Map<string, Scenario>} presets with every field */
   const bases = new Map();
   /** @type {Standing[]} */
@@ -55,14 +55,24 @@ export function createSequenceSession({ engine, planner, playback, address, sche
     hand: null,
     /** What is wrong with the placement on screen; empty when nothing. */
     refusal: '',
+    /** In A | B, in what the two differ; null when the map stands alone. @type {string | null} */
+    beside: null,
 
-    /** @param {'change' | 'path'} name @param {() => void} listener */
+    /** @param {'change' | 'path' | 'link'} name `link` when one was opened, which says what is beside @param {() => void} listener */
     on: (name, listener) => void listeners[name].push(listener),
 
     /** @param {string} key @returns {any} */
     value: (key) => session.scenario[fieldOf(key)],
     /** @param {string} key @returns {any} */
     original: (key) => session.base[fieldOf(key)],
+
+    /** Two searches beside, or none any more. @param {string | null} pair in what they differ */
+    compare(pair) {
+      if (pair === session.beside) return;
+      session.beside = pair;
+      void session.writeAddress();
+    },
+
     canUndo: () => past.length > 0,
     canRedo: () => future.length > 0,
 
@@ -137,12 +147,14 @@ export function createSequenceSession({ engine, planner, playback, address, sche
     async openLink(hash) {
       const link = await readSequenceLink(hash, schema, presets.map(({ name }) => name));
       const scenario = { ...(await completed(link.preset)) };
+      session.beside = link.beside;
       for (const [key, value] of link.values) scenario[fieldOf(key)] = value;
       const opened = await take({ scenario, preset: link.preset, hand: link.plan }, sequenceText.refused, planner.task !== null);
       if (!opened && !planner.task) await take({ scenario: await completed(link.preset), preset: link.preset, hand: null }, sequenceText.refused, false);
       for (const problem of link.problems) say(problem, 'problem');
       if (link.version && link.version !== version) say(text.link.version(link.version, version), 'problem', olderVersion(link.version, text.link.older(link.version)));
       playback.seek(link.step);
+      tell('link');
     },
 
     /** Takes a scenario from a file. @param {string} name @param {string} json */
@@ -160,7 +172,10 @@ export function createSequenceSession({ engine, planner, playback, address, sche
       }
     },
 
-    link: () => writeSequenceLink({ version, preset: session.preset, base: session.base, scenario: session.scenario, schema, plan: session.hand, step: playback.step }),
+    link: () => writeSequenceLink({ version, preset: session.preset, base: session.base, scenario: session.scenario, schema, plan: session.hand, beside: session.beside, step: playback.step }),
+
+    /** The whole address to be given away. */
+    href: async () => address.href(await session.link()),
 
     async writeAddress() {
       const ticket = ++writing;
@@ -174,7 +189,7 @@ export function createSequenceSession({ engine, planner, playback, address, sche
     reload: () => planner.open(session.scenario),
   };
 
-  /** @param {'change' | 'path'} name */
+  /** @param {'change' | 'path' | 'link'} name */
   function tell(name) {
     for (const listener of listeners[name]) listener();
   }

@@ -69,13 +69,14 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     return arranged(now, moved({ ball: [now[18], now[19]], blue: spots(0), yellow: spots(3) }, hold.chosen, place));
   }
 
-  const roleNames = () => {
-    const names = wide() ? soccerText.roles : soccerText.short;
-    return Array.from({ length: BALL }, (_, robot) => names[setting.roles[match.film.role(playback.tick, robot)]] ?? '');
+  /** What is drawn of a moment; null while there is none. @param {number} tick @param {Float32Array} frame @param {Record<string, string>} names of the roles */
+  const sceneAt = (tick, frame, names) => {
+    const roles = Array.from({ length: BALL }, (_, robot) => names[setting.roles[match.film.role(tick, robot)]] ?? '');
+    return match.film.count > 0 ? { walls: setting.walls, frame, film: match.film, tick, names: roles, exchanged: match.exchanged, layers } : null;
   };
   const pitch = createPitch({
     label: soccerText.pitch.label,
-    scene: () => (match.film.count > 0 ? { walls: setting.walls, frame: shown(), film: match.film, tick: playback.tick, names: roleNames(), exchanged: match.exchanged, layers } : null),
+    scene: () => sceneAt(playback.tick, shown(), wide() ? soccerText.roles : soccerText.short),
     theme,
     drawn: () => handles.show(),
   });
@@ -113,7 +114,17 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     },
   });
   const transport = createSoccerTransport({ pane: frame.transport, match, playback, session, say });
-  const foot = createSoccerFoot({ pane: frame.foot, match, playback, session, pitch, theme, names, say });
+  const foot = createSoccerFoot({
+    pane: frame.foot,
+    match,
+    playback,
+    session,
+    scene: (tick) => sceneAt(tick, tick === playback.tick ? shown() : match.film.frame(tick), soccerText.roles),
+    theme,
+    names,
+    still: drive.end,
+    say,
+  });
 
   pitch.canvas.tabIndex = 0;
   pitch.canvas.setAttribute('role', 'application');
@@ -140,28 +151,44 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
   let loadingTournament = null;
   /** @type {Tournament | null} */
   let tournament = null;
-  const comparing = button(soccerText.compare.label, () => void toggleCompare(), { action: 'compare', title: soccerText.compare.title });
+  const comparing = button(soccerText.compare.label, toggleCompare, { action: 'compare', title: soccerText.compare.title });
   const playing = button(soccerText.tournament.open, () => void toggleTournament());
   for (const key of [comparing, playing]) key.setAttribute('aria-pressed', 'false');
   frame.head.append(playing, comparing);
 
-  async function toggleCompare() {
+  /** Opens A | B. @param {string | null} kind who coaches blue in B; null for the usual other one */
+  async function showCompare(kind = null) {
     try {
       loadingCompare ??= import('./compare.js').then(({ createSoccerCompare }) => createSoccerCompare({ frame, session, playback, match, layers, spawn, theme, onTheme: themes.on, broke, announce }));
       compare = await loadingCompare;
     } catch (error) {
       loadingCompare = null; // a later wish tries again
       say(soccerText.compare.missing(messageOf(error)), 'problem');
+      session.compare(null);
       return;
     }
     if (tournament?.on()) tournament.close();
-    if (compare.on()) compare.close();
-    else {
-      await drive.end();
-      hold.choose(null);
-      compare.open();
-    }
+    await drive.end();
+    hold.choose(null);
+    compare.open(kind);
     show();
+  }
+
+  function closeCompare() {
+    session.compare(null);
+    if (compare?.on()) compare.close();
+    show();
+  }
+
+  function toggleCompare() {
+    if (compare?.on()) closeCompare();
+    else void showCompare();
+  }
+
+  /** A | B as the session asks for it: after a link, and after an engine that had ended. */
+  async function besideAsAsked() {
+    if (session.beside !== null) await showCompare(session.beside);
+    else if (compare?.on()) closeCompare();
   }
 
   async function toggleTournament() {
@@ -173,7 +200,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
       say(soccerText.compare.missing(messageOf(error)), 'problem');
       return;
     }
-    if (compare?.on()) compare.close();
+    if (compare?.on()) closeCompare();
     if (tournament.on()) tournament.close();
     else {
       await drive.end();
@@ -301,6 +328,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     }
   }
 
+  session.onLink(() => void besideAsAsked());
   session.on(() => {
     coachText.refresh();
     show();
@@ -338,6 +366,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
 
   return {
     show,
+    besideAsAsked,
     pause() {
       void drive.end();
       compare?.hold();
@@ -359,7 +388,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
       'new-seed': transport.newMatch,
       faster: transport.faster,
       slower: transport.slower,
-      compare: () => void toggleCompare(),
+      compare: toggleCompare,
       clear: () => (inspector.spread(false), hold.choose(null)),
     },
   };

@@ -54,7 +54,10 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
   const bar = h('div', { class: 'soccer-compare-bar' }, h('label', { for: blue.id }, words.other), blue, status);
   const element = h('div', { class: 'soccer-sides' }, ...sides.map((side) => side.element));
   const note = h('p', { class: 'status-key' }, words.note);
-  blue.addEventListener('change', () => void run());
+  blue.addEventListener('change', () => {
+    session.compare(blue.value);
+    void run();
+  });
 
   /** B plays from the first kick-off, with whatever was done to A. */
   async function run() {
@@ -110,9 +113,12 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
   return {
     on: () => on,
 
-    open() {
+    /** @param {string | null} kind who coaches blue in B; null for the other kind of coach than in A */
+    open(kind) {
+      if (kind !== null || !on) blue.value = kind ?? (session.scenario().blue === 'machine' ? 'tree' : 'machine');
+      session.compare(blue.value);
+      if (on) return void run();
       on = true;
-      blue.value = session.scenario().blue === 'machine' ? 'tree' : 'machine';
       frame.stages.prepend(element);
       frame.stages.after(note);
       frame.head.prepend(bar);
@@ -120,6 +126,7 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
       void run();
     },
 
+    /** Ends B; whether the session still asks for it is not decided here. */
     close() {
       on = false;
       opened = '';

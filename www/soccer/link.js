@@ -6,6 +6,8 @@ import { text } from '../ui/strings.en.js';
 /** @import { LiveEvent, Parameter, Value } from '../types.js' */
 /** @import { Scenario } from './types.js' */
 
+const BESIDE = 'soccer.blue'; // what B has a value of its own of
+
 /**
  * @typedef {object} SoccerLink what a link says; everything that could be read
  * @property {string} version
@@ -14,15 +16,17 @@ import { text } from '../ui/strings.en.js';
  * @property {LiveEvent[]} events what was done to the match
  * @property {number} tick
  * @property {string} fingerprint of the whole match
+ * @property {string | null} beside in A | B, who coaches blue in B; null when A stands alone
  * @property {string[]} problems one sentence for each thing that could not be read
  */
 
 /**
- * The whole scenario as the hash of an address: what differs from the preset, what was done to the match, the moment.
+ * The whole scenario as the hash of an address: what differs from the preset, what was done to the match, what B has instead,
+ * the moment.
  *
- * @param {{ version: string, preset: string, base: Scenario, scenario: Scenario, schema: Parameter[], tick: number, fingerprint: string }} what
+ * @param {{ version: string, preset: string, base: Scenario, scenario: Scenario, schema: Parameter[], beside: string | null, tick: number, fingerprint: string }} what
  */
-export async function writeSoccerLink({ version, preset, base, scenario, schema, tick, fingerprint }) {
+export async function writeSoccerLink({ version, preset, base, scenario, schema, beside, tick, fingerprint }) {
   const parts = [`v=${version}`, `preset=${encodeURIComponent(preset)}`];
   for (const { key, type } of schema) {
     const value = scenario[fieldOf(key)];
@@ -31,6 +35,7 @@ export async function writeSoccerLink({ version, preset, base, scenario, schema,
   }
   const events = scenario.events ?? [];
   if (events.length > 0) parts.push(`events=${await pack(JSON.stringify(events))}`);
+  if (beside !== null) parts.push(`b.${BESIDE}=${encodeURIComponent(beside)}`);
   if (tick > 0) parts.push(`t=${tick}`);
   if (fingerprint) parts.push(`f=${fingerprint}`);
   return `#/soccer?${parts.join('&')}`;
@@ -46,7 +51,7 @@ export async function writeSoccerLink({ version, preset, base, scenario, schema,
  */
 export async function readSoccerLink(hash, schema, presets) {
   /** @type {SoccerLink} */
-  const link = { version: '', preset: presets[0], values: new Map(), events: [], tick: 0, fingerprint: '', problems: [] };
+  const link = { version: '', preset: presets[0], values: new Map(), events: [], tick: 0, fingerprint: '', beside: null, problems: [] };
   const [, query = ''] = splitOnce(hash, '?');
   for (const pair of query.split('&')) {
     if (!pair) continue;
@@ -70,6 +75,7 @@ export async function readSoccerLink(hash, schema, presets) {
 async function readPair(link, key, raw, schema, presets) {
   const parameter = schema.find((entry) => entry.key === key);
   if (parameter) link.values.set(key, parameter.type === 'text' ? await unpack(raw) : readValue(parameter, decode(raw)));
+  else if (key === `b.${BESIDE}`) link.beside = String(readValue(/** @type {Parameter} */ (schema.find((entry) => entry.key === BESIDE)), decode(raw)));
   else if (key === 'v') link.version = decode(raw);
   else if (key === 'events') link.events = readEvents(await unpack(raw));
   else if (key === 'preset') {

@@ -26,6 +26,8 @@ const TREE_TEAMS = ['tree', 'tree-without-swaps', 'tree-double-margins'];
 export function createSoccerSession({ engine, match, playback, address, schema, setting, version, presets, say }) {
   /** @type {(() => void)[]} */
   const listeners = [];
+  /** @type {(() => void)[]} */
+  const linked = [];
   /** @type {Map<string, Scenario>} presets with every field */
   const bases = new Map();
   let writing = 0;
@@ -40,10 +42,21 @@ export function createSoccerSession({ engine, match, playback, address, schema, 
     preset: presets[0].name,
     /** @type {Scenario} the preset with every field */
     base: { world: 'soccer', seed: 0 },
+    /** In A | B, who coaches blue in B; null when the match stands alone. @type {string | null} */
+    beside: null,
 
     /** @param {() => void} listener told when the scenario is another one */
     on: (listener) => void listeners.push(listener),
+    /** @param {() => void} listener told when a link was opened, which says what is beside */
+    onLink: (listener) => void linked.push(listener),
     tell,
+
+    /** Another match beside, or none any more. @param {string | null} blue who coaches blue in it */
+    compare(blue) {
+      if (blue === session.beside) return;
+      session.beside = blue;
+      void session.writeAddress();
+    },
 
     /** What is played. @returns {Scenario} */
     scenario: () => match.scenario ?? session.base,
@@ -113,12 +126,14 @@ export function createSoccerSession({ engine, match, playback, address, schema, 
       const link = await readSoccerLink(hash, schema, presets.map(({ name }) => name));
       if (link.version && link.version !== version) link.problems.push(text.link.version(link.version, version));
       const scenario = { ...(await completed(link.preset)) };
+      session.beside = link.beside;
       for (const [key, value] of link.values) scenario[fieldOf(key)] = value;
       const opened = await take({ ...scenario, events: link.events }, link.preset, soccerText.refused, link.tick);
       if (!opened && !match.scenario) await take(await completed(link.preset), link.preset, soccerText.refused);
       for (const problem of link.problems) say(problem, 'problem');
       awaited = opened ? link.fingerprint : '';
       verify();
+      for (const listener of linked) listener();
     },
 
     /** Takes a scenario, or the log of a replay, from a file. @param {string} name @param {string} json */
@@ -139,7 +154,10 @@ export function createSoccerSession({ engine, match, playback, address, schema, 
       }
     },
 
-    link: () => writeSoccerLink({ version, preset: session.preset, base: session.base, scenario: session.scenario(), schema, tick: playback.tick, fingerprint: match.fingerprint }),
+    link: () => writeSoccerLink({ version, preset: session.preset, base: session.base, scenario: session.scenario(), schema, beside: session.beside, tick: playback.tick, fingerprint: match.fingerprint }),
+
+    /** The whole address to be given away. */
+    href: async () => address.href(await session.link()),
 
     async writeAddress() {
       const ticket = ++writing;

@@ -124,6 +124,8 @@ export function createStudySession({ desk, run, address, files, version, schema,
     },
 
     link: () => writeStudyLink({ version, name: session.pristine() ? session.name : null, spec: session.text, size: session.size }),
+    /** The whole address to be given away. */
+    href: async () => address.href(await session.link()),
 
     /** Reads the text again; for a desk that was started anew. */
     async reload() {

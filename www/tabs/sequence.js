@@ -65,6 +65,7 @@ export function createSequence({ element, address, built, live, themes }) {
       state.to('loading');
       engine.start();
       await ready?.reload();
+      await board?.besideAsAsked();
     };
     fault.broke(message, { version: ready?.version ?? '', tick: 0, again: ready && planner.task ? () => void again() : null, words: sequenceText.broken });
   }

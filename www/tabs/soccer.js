@@ -66,6 +66,7 @@ export function createSoccer({ element, address, built, live, themes, openTree }
       engine.start();
       await ready?.reload();
       await playback.reach(tick);
+      await board?.besideAsAsked();
       board?.show();
     };
     fault.broke(message, { version: ready?.version ?? '', tick, again: ready && match.scenario ? () => void again() : null, words: soccerText.broken });

@@ -34,6 +34,8 @@ export function createBench({ engine, run, session, editor, compareView, changed
   const bench = {
     marks,
     comparing: () => comparison.node !== null,
+    /** Where the node stands that is compared. */
+    compared: () => (comparison.node ? { line: comparison.node.line, column: comparison.node.column } : null),
     canCompare: () => run.moment !== null && nodes.some(({ type }) => COMPARED.test(type)),
 
     /** Selects a node and shows its line. @param {number | null} id */
@@ -86,16 +88,25 @@ export function createBench({ engine, run, session, editor, compareView, changed
     /** Back to the start; the timeline beyond is forgotten. */
     restart: () => void session.refresh({ length: 0, at: 0 }),
 
-    /** Shows the kinds of a sequence or fallback side by side, or the one tree again. @param {{ line: number, column: number } | null} [place] */
+    /**
+     * Shows the kinds of a sequence or fallback side by side, or the one tree again.
+     *
+     * @param {{ line: number, column: number } | null} [place]
+     * @returns {Promise<boolean>} false when there is none
+     */
     async compare(place = null) {
       if (bench.comparing() && !place) {
         comparison.stop();
         changed();
-        return;
+        void session.writeAddress();
+        return true;
       }
       const chosen = nodes.filter((node) => (place ? node.line === place.line && node.column === place.column : node.id === marks.selected && COMPARED.test(node.type)));
       const others = place ? [] : nodes.filter(({ type }) => COMPARED.test(type));
-      if (!(await startComparison([...chosen, ...others])) && !place) say(benchText.compare.none);
+      const found = await startComparison([...chosen, ...others]);
+      if (!found && !place) say(benchText.compare.none);
+      void session.writeAddress();
+      return found;
     },
 
     /** The engine ended: what ran beside the run is gone. */
@@ -158,7 +169,7 @@ export function createBench({ engine, run, session, editor, compareView, changed
       return;
     }
     const same = there !== null && !session.opening && nodes[there].name === compared.name; // another tree is not compared unasked
-    if (same) void startComparison([nodes[there]]);
+    if (same) void startComparison([nodes[there]]).then(session.writeAddress);
     else comparison.stop();
   });
   run.on('moment', comparison.follow);

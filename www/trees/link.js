@@ -15,24 +15,29 @@ import { written } from './script.js';
  * @property {'once' | 'exactly_once' | null} mode
  * @property {number | null} ms
  * @property {number | null} length
+ * @property {Spot | null | undefined} compare where the sequence or fallback stands whose kinds are compared; null for none,
+ *   undefined where the link does not say
  * @property {number | null} tick
  * @property {string} fingerprint
  * @property {string[]} problems one sentence for each thing that could not be read
  */
 
+/** @typedef {{ line: number, column: number }} Spot a place in the text, both from 1 */
 /** @typedef {{ xml: string, script: ScriptEvent[], mode: 'once' | 'exactly_once', ms: number, length: number }} Base what a link is compared with */
 
 /** @type {Base} what a link without a library entry is compared with */
 const NOTHING = { xml: '', script: [], mode: 'once', ms: 100, length: 0 };
 const MODES = /** @type {const} */ (['once', 'exactly_once']);
+const NONE = 'none';
 const LARGEST = { ms: 3_600_000, ticks: 100_000 };
 
 /**
- * A run of a tree as the hash of an address: what differs from the library entry, and where it stands.
+ * A run of a tree as the hash of an address: what differs from the library entry, what is compared, and where it stands.
  *
- * @param {{ version: string, entry: (Base & { name: string }) | null, setup: Base, tick: number, fingerprint: string }} what
+ * @param {{ version: string, entry: (Base & { name: string }) | null, setup: Base, compare: Spot | null, usual: Spot | null, tick: number, fingerprint: string }} what
+ *   `usual` is what is compared where a link does not say
  */
-export async function writeTreeLink({ version, entry, setup, tick, fingerprint }) {
+export async function writeTreeLink({ version, entry, setup, compare, usual, tick, fingerprint }) {
   const base = entry ?? NOTHING;
   const parts = [`v=${version}`];
   if (entry) parts.push(`preset=${encodeURIComponent(entry.name)}`);
@@ -42,6 +47,7 @@ export async function writeTreeLink({ version, entry, setup, tick, fingerprint }
   if (setup.mode !== base.mode) parts.push(`mode=${setup.mode}`);
   if (setup.ms !== base.ms) parts.push(`ms=${setup.ms}`);
   if (setup.length !== base.length) parts.push(`length=${setup.length}`);
+  if (compare?.line !== usual?.line || compare?.column !== usual?.column) parts.push(`compare=${compare ? `${compare.line}.${compare.column}` : NONE}`);
   if (fingerprint) parts.push(`t=${tick}`, `f=${fingerprint}`);
   return `#/trees?${parts.join('&')}`;
 }
@@ -55,7 +61,7 @@ export async function writeTreeLink({ version, entry, setup, tick, fingerprint }
  */
 export async function readTreeLink(hash, library) {
   /** @type {TreeLink} */
-  const link = { version: '', entry: null, xml: null, script: null, mode: null, ms: null, length: null, tick: null, fingerprint: '', problems: [] };
+  const link = { version: '', entry: null, xml: null, script: null, mode: null, ms: null, length: null, compare: undefined, tick: null, fingerprint: '', problems: [] };
   const [, query = ''] = splitOnce(hash, '?');
   for (const pair of query.split('&')) {
     if (!pair) continue;
@@ -83,6 +89,7 @@ async function readPair(link, key, raw, library) {
   else if (key === 'mode') link.mode = one(decode(raw), MODES);
   else if (key === 'ms') link.ms = whole(raw, LARGEST.ms);
   else if (key === 'length') link.length = whole(raw, LARGEST.ticks);
+  else if (key === 'compare') link.compare = spot(raw);
   else if (key === 't') link.tick = whole(raw, LARGEST.ticks);
   else if (key === 'f') {
     if (!/^[0-9a-f]{16}$/.test(raw)) throw new Error(text.link.fingerprint(raw));
@@ -95,6 +102,14 @@ function one(found, allowed) {
   const known = allowed.find((name) => name === found);
   if (known === undefined) throw new Error(text.link.preset(found, [...allowed]));
   return known;
+}
+
+/** A place in the text. @param {string} raw @returns {Spot | null} */
+function spot(raw) {
+  if (raw === NONE) return null;
+  const [, line, column] = /^(\d{1,6})\.(\d{1,6})$/.exec(raw) ?? [];
+  if (!line) throw new Error(benchText.link.compare(raw));
+  return { line: Number(line), column: Number(column) };
 }
 
 /** @param {string} raw @param {number} most */

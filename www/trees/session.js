@@ -14,7 +14,7 @@ import { PLAIN, changeRest, replaceSetup, restChanged, restOf } from './setup.js
 /** @import { Say } from '../ui/notices.js' */
 /** @import { Draft } from './drafts.js' */
 /** @import { Entry } from './library.js' */
-/** @import { TreeLink } from './link.js' */
+/** @import { Spot, TreeLink } from './link.js' */
 /** @import { TreeRun } from './run.js' */
 /** @import { Rest } from './setup.js' */
 /** @import { Problem } from './types.js' */
@@ -22,18 +22,19 @@ import { PLAIN, changeRest, replaceSetup, restChanged, restOf } from './setup.js
 const TYPING_MS = 120;
 const KEEPING_MS = 400;
 
-/** @typedef {{ xml: string, rest: Rest, length: number, at: number, draft?: string }} Opening a tree that takes the place of the present one */
+/** @typedef {{ xml: string, rest: Rest, length: number, at: number, draft?: string, compare?: Spot | null }} Opening a tree that takes the place of the present one;
+ *   `compare` is what a link says of the comparison, undefined where it does not */
 
 /**
  * What is on the bench: text, script, mode and time as the editor's state holds them, the library entry they began as,
  * and everything that follows from a change of them.
  *
- * @param {{ run: TreeRun, address: Address, version: string, library: Entry[], view: EditorView,
- *   say: Say }} parts
+ * @param {{ run: TreeRun, address: Address, version: string, library: Entry[], view: EditorView, compared: () => Spot | null,
+ *   say: Say }} parts `compared` is where the sequence or fallback stands whose kinds are compared
  */
-export function createTreeSession({ run, address, version, library, view, say }) {
+export function createTreeSession({ run, address, version, library, view, compared, say }) {
   const drafts = createDrafts();
-  /** @type {{ change: (() => void)[], entry: ((entry: Entry | null) => void)[] }} */
+  /** @type {{ change: (() => void)[], entry: ((compare: Spot | null, asked: boolean) => void)[] }} */
   const listeners = { change: [], entry: [] };
   /** @type {Map<string, string>} texts of library entries by name */
   const texts = new Map();
@@ -62,7 +63,7 @@ export function createTreeSession({ run, address, version, library, view, say })
 
     /** @param {'change'} name @param {() => void} listener */
     on: (name, listener) => void listeners[name].push(listener),
-    /** @param {(entry: Entry | null) => void} listener told when another tree was opened and computed */
+    /** @param {(compare: Spot | null, asked: boolean) => void} listener told when another tree was opened and computed: what is to be compared, and whether a link asked for it */
     onOpened: (listener) => void listeners.entry.push(listener),
 
     rest: () => restOf(view.state),
@@ -159,8 +160,12 @@ export function createTreeSession({ run, address, version, library, view, say })
       const { xml, script, mode, ms } = session.setup();
       const base = entry && texts.has(entry.name) ? { ...entry, xml: /** @type {string} */ (texts.get(entry.name)) } : null;
       const fingerprint = session.stale ? '' : (run.moment?.fingerprint ?? '');
-      return writeTreeLink({ version, entry: base, setup: { xml, script, mode, ms, length: run.length }, tick: run.tick, fingerprint });
+      const compare = session.stale || session.opening ? usual() : compared(); // a text with faults has no places to compare
+      return writeTreeLink({ version, entry: base, setup: { xml, script, mode, ms, length: run.length }, compare, usual: usual(), tick: run.tick, fingerprint });
     },
+
+    /** The whole address to be given away. */
+    href: async () => address.href(await session.link()),
 
     /** Writes the moment on screen into the address. */
     async writeAddress() {
@@ -183,6 +188,9 @@ export function createTreeSession({ run, address, version, library, view, say })
   function tell() {
     for (const listener of listeners.change) listener();
   }
+
+  /** What is compared where nobody asked for anything else. */
+  const usual = () => (session.pristine() ? (session.entry()?.compare ?? null) : null);
 
   /** @param {Entry} entry */
   async function textOf(entry) {
@@ -207,11 +215,12 @@ export function createTreeSession({ run, address, version, library, view, say })
       rest: { entry: base.rest.entry, title: '', script: link.script ?? base.rest.script, mode: link.mode ?? base.rest.mode, ms: link.ms ?? base.rest.ms },
       length,
       at: link.tick ?? Math.min(base.at, length),
+      compare: link.compare,
     };
   }
 
   /** @param {Opening} next @param {boolean} asEntry whether it is a new entry of the browser's history */
-  async function open({ xml, rest, length, at, draft }, asEntry) {
+  async function open({ xml, rest, length, at, draft, compare }, asEntry) {
     clearTimeout(keeping);
     if (!fresh) keep();
     drafts.begin(draft);
@@ -231,7 +240,7 @@ export function createTreeSession({ run, address, version, library, view, say })
       await refresh({ length: 0, at: 0 });
     }
     session.opening = false;
-    for (const listener of listeners.entry) listener(session.entry());
+    for (const listener of listeners.entry) listener(compare === undefined ? usual() : compare, compare !== undefined);
   }
 
   /**

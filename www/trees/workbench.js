@@ -33,7 +33,7 @@ const COACH = /<AssignStartRoles\b|ID="AssignStartRoles"/;
  */
 export function createWorkbench({ engine, run, state, address, frame, version, models, playCoach, say, announce }) {
   const editor = createEditor({ state: setupState, edited: (update) => session.edited(update), pointed, leave: () => problems.focus() });
-  const session = createTreeSession({ run, address, version, library: readLibrary(), view: editor.view, say });
+  const session = createTreeSession({ run, address, version, library: readLibrary(), view: editor.view, compared: () => bench.compared(), say });
   const compareView = createCompare({ label: benchText.compare.label });
   const bench = createBench({ engine, run, session, editor, compareView, changed: show, say });
   const figure = createBenchFigure({ label: benchText.drawing.label, select: (id) => select(id), answer: bench.answerNode });
@@ -183,10 +183,12 @@ export function createWorkbench({ engine, run, state, address, frame, version, m
     }
     show();
   });
-  session.onOpened((entry) => {
-    const place = entry?.compare && session.pristine() ? entry.compare : null;
-    if (place) void bench.compare(place);
+  session.onOpened(async (compare, asked) => {
+    const entry = session.entry();
     if (entry?.select !== null && entry?.select !== undefined && run.tree?.nodes[entry.select]) select(entry.select, true);
+    if (!compare) return void (asked && session.writeAddress());
+    const found = !session.stale && (await bench.compare(compare));
+    if (!found && asked) say(text.link.bad('compare', benchText.link.noCompare(compare.line, compare.column)), 'problem');
   });
   run.on('moment', () => {
     figure.paint(run.moment);

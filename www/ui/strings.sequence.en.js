@@ -225,6 +225,7 @@ export const sequenceText = {
     copied: 'The link is on the clipboard. It holds the whole scenario, the plan made by hand and the moment.',
     png: 'Picture of the map, PNG',
     svg: 'Drawing of the map, SVG',
+    videoLong: 'A film of the plan as it is carried out, with even timing',
     plan: 'Plan',
     planLong: 'Plan with costs, proof and scenario, JSON',
     csv: 'Trajectories of all robots every 0.1 s, CSV',

@@ -268,6 +268,7 @@ export const soccerText = {
     tooLong: (/** @type {number} */ length) => `The link would have ${length} characters, too many for some programs. Save the scenario as a file instead.`,
     png: 'Picture of the pitch, PNG',
     svg: 'Drawing of the pitch, SVG',
+    videoLong: 'A film of the match with even timing',
     log: 'Log',
     logLong: 'The log of referee and coaches, JSON',
     logCsv: 'Log CSV',

@@ -11,7 +11,11 @@ export const benchText = {
   noSetup: 'it holds no field "xml"; expected an XML tree, or a setup saved here as JSON',
   tooLarge: (/** @type {number} */ megabytes) => `it is larger than ${megabytes} MB`,
 
-  link: { script: 'expected a list of script events, each with a tick' },
+  link: {
+    script: 'expected a list of script events, each with a tick',
+    compare: (/** @type {string} */ found) => `found '${found.slice(0, 60)}', expected line and column as in 3.5, or none`,
+    noCompare: (/** @type {number} */ line, /** @type {number} */ column) => `no sequence or fallback stands at line ${line}, column ${column}`,
+  },
 
   pane: {
     tree: 'Tree',

@@ -47,7 +47,7 @@ export function createFoot({ pane, run, lens, state, session, theme, open, treeS
 
   const stem = () => `swarm-${session.preset}${lens.side() && `-${lens.side()}`}-seed${run.scenario.seed}-tick${run.tick}`;
   const caption = () => text.foot.caption(session.preset, lens.side(), run.scenario.seed, run.tick);
-  const address = async () => new URL(await session.link(), location.href).href;
+  const address = session.href;
 
   /** A link names one moment: while the world runs, the moment of the click. */
   async function copyLink() {
@@ -99,7 +99,7 @@ export function createFoot({ pane, run, lens, state, session, theme, open, treeS
     const parts = { scenario, tick, layers: { ...layers }, theme: theme(), steps: run.steps, stem: `swarm-${session.preset}-seed${scenario.seed}` };
     const at = (/** @type {number} */ now) => text.foot.caption(session.preset, lens.side(), scenario.seed, now);
     try {
-      (await import('./videodialog.js')).openVideo({ ...parts, caption: at, say });
+      (await import('./filming.js')).filmRun({ ...parts, caption: at, say });
     } catch {
       say(text.foot.videoMissing, 'problem');
     }

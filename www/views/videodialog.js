@@ -1,5 +1,4 @@
 import '../style/video.css';
-import { createEngine } from '../engine.js';
 import { messageOf } from '../session.js';
 import { button, h, write } from '../ui/dom.js';
 import { save } from '../ui/share.js';
@@ -7,61 +6,84 @@ import { text } from '../ui/strings.en.js';
 import { videoText } from '../ui/strings.video.en.js';
 import { FRAMES_PER_SECOND, framesOf, record } from '../video/record.js';
 
-/** @import { Shot } from '../video/record.js' */
+/** @import { Extent, Picture } from '../video/record.js' */
 
-const SIZES = [480, 720, 1080];
-const DEFAULT_SIZE = 720;
-const DEFAULT_TICKS = 600; // where the run has not begun
 const MOST_FRAMES = 18_000; // ten minutes
+const DIGITS = 100; // a moment in seconds is shown to 0.01 s
 
 /**
- * Opens the dialog that films a run, with an engine of its own.
+ * @typedef {{ width: number, height: number }} Size of a picture, even pixels
  *
- * @param {Pick<Shot, 'scenario' | 'layers' | 'theme' | 'caption'> & { tick: number, steps: number, stem: string, say: (message: string, kind?: 'note' | 'problem') => void }} parts
- *   `tick` is where the run on screen stands
+ * @typedef {object} Reel what can be filmed
+ * @property {string} about one or two sentences
+ * @property {'ticks' | 'seconds'} unit what the fields count
+ * @property {number} perUnit moments in one of these
+ * @property {number} last the last moment
+ * @property {{ from: number, to: number }} proposed moments
+ * @property {{ label: string, from: number, to: number }[]} stretches that a press proposes
+ * @property {{ every: number, label: string }[]} speeds moments per picture with what that is called; where there are none, a number is typed
+ * @property {number} every moments per picture that are proposed
+ * @property {Size[]} sizes
+ * @property {number} size which of them is proposed
+ * @property {string} stem of the file's name
+ * @property {(extent: Extent, size: Size, signal: AbortSignal) => AsyncIterable<Picture>} pictures ends when the signal is given
  */
-export function openVideo({ scenario, layers, theme, caption, tick, steps, stem, say }) {
-  const field = (/** @type {string} */ label, /** @type {number} */ value, /** @type {number} */ min) => {
-    const input = h('input', { type: 'number', min, max: steps, step: 1, value });
-    input.addEventListener('input', show);
-    return { input, element: h('label', { class: 'row' }, label, input) };
+
+/**
+ * Opens the dialog that films a run.
+ *
+ * @param {Reel} reel
+ * @param {(message: string, kind?: 'note' | 'problem') => void} say
+ */
+export function openVideo({ about, unit, perUnit, last, proposed, stretches, speeds, every: usual, sizes, size: usualSize, stem, pictures }, say) {
+  const words = videoText.units[unit];
+  const shown = (/** @type {number} */ moment) => String(Math.floor((moment / perUnit) * DIGITS) / DIGITS);
+  const row = (/** @type {string} */ label, /** @type {HTMLInputElement | HTMLSelectElement} */ control) => {
+    control.addEventListener('input', show);
+    return h('label', { class: 'row' }, label, control);
   };
-  const from = field(videoText.from, 0, 0);
-  const to = field(videoText.to, tick > 0 ? tick : Math.min(steps, DEFAULT_TICKS), 0);
-  const every = field(videoText.every, 1, 1);
-  const size = h('select', {}, ...SIZES.map((side) => h('option', { value: side, selected: side === DEFAULT_SIZE }, `${side} × ${side}`)));
-  const extent = h('p', { class: 'secondary', id: 'video-extent' });
+  const field = (/** @type {string} */ value, /** @type {number} */ min) => h('input', { type: 'number', min, max: shown(last), step: perUnit === 1 ? 1 : 'any', value });
+  const from = field(shown(proposed.from), 0);
+  const to = field(shown(proposed.to), 0);
+  const every = speeds.length === 0 ? field(String(usual), 1) : h('select', {}, ...speeds.map((speed) => h('option', { value: speed.every, selected: speed.every === usual }, speed.label)));
+  const size = h('select', {}, ...sizes.map(({ width, height }, index) => h('option', { value: width, selected: index === usualSize }, `${width} × ${height}`)));
+  const quick = stretches.map((stretch) =>
+    button(stretch.label, () => {
+      [from.value, to.value] = [shown(stretch.from), shown(stretch.to)];
+      show();
+    }),
+  );
+  const extent = h('p', { class: 'secondary', id: 'video-extent', role: 'status' });
   const progress = h('progress', { value: 0, max: 1, 'aria-label': videoText.progress, hidden: true });
-  const main = button(videoText.start, () => void (working ? stop() : film()), { class: 'primary' });
+  const main = button(videoText.start, () => void (work ? work.abort() : film()), { class: 'primary' });
+  const rows = h('fieldset', { class: 'video-rows' }, row(words.from, from), row(words.to, to), row(words.every, every), row(videoText.size, size));
+  if (quick.length > 0) rows.prepend(h('div', { class: 'video-quick', role: 'group', 'aria-label': videoText.stretch }, ...quick));
   const dialog = h(
     'dialog',
     { class: 'video-dialog', 'aria-labelledby': 'video-title' },
     h('h2', { id: 'video-title' }, videoText.title),
-    h('p', {}, videoText.about),
-    from.element,
-    to.element,
-    every.element,
-    h('label', { class: 'row' }, videoText.size, size),
+    h('p', {}, about),
+    rows,
     extent,
     progress,
     h('div', { class: 'row' }, main, button(text.close, () => dialog.close())),
   );
-  let broken = '';
-  const engine = createEngine((message) => (broken = message), () => new Worker(new URL('../worker.js', import.meta.url), { type: 'module' }));
-  let working = false;
-  let wanted = true;
+  /** @type {AbortController | null} while a film is made */
+  let work = null;
 
-  /** What is asked for; null when it makes no film. */
+  /** What is asked for; null when it makes no film. @returns {Extent | null} */
   function range() {
-    const [first, last, stride] = [from, to, every].map(({ input }) => (input.value.trim() === '' ? NaN : Number(input.value)));
-    const whole = [first, last, stride].every(Number.isSafeInteger);
-    return whole && first >= 0 && first <= last && last <= steps && stride >= 1 ? { from: first, to: last, every: stride } : null;
+    const [first, final, stride] = [from, to, every].map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
+    const counted = [first, final].every(perUnit === 1 ? Number.isSafeInteger : Number.isFinite);
+    if (!counted || !Number.isSafeInteger(stride) || stride < 1) return null;
+    const asked = { from: Math.round(first * perUnit), to: Math.round(final * perUnit), every: stride };
+    return asked.from >= 0 && asked.from <= asked.to && asked.to <= last ? asked : null;
   }
 
   function show() {
     const asked = range();
     const frames = asked ? framesOf(asked) : 0;
-    if (!asked) write(extent, videoText.noExtent(steps));
+    if (!asked) write(extent, words.none(shown(last)));
     else if (frames > MOST_FRAMES) write(extent, videoText.tooLong(frames, MOST_FRAMES));
     else write(extent, videoText.extent(frames, (frames / FRAMES_PER_SECOND).toFixed(1), FRAMES_PER_SECOND));
     main.disabled = !asked || frames > MOST_FRAMES;
@@ -70,44 +92,39 @@ export function openVideo({ scenario, layers, theme, caption, tick, steps, stem,
   async function film() {
     const asked = range();
     if (!asked) return;
-    const frames = framesOf(asked);
-    const shot = { ...asked, scenario, layers, theme, caption, size: Number(size.value) };
-    working = wanted = true;
+    const [frames, chosen] = [framesOf(asked), sizes[size.selectedIndex]];
+    const mine = new AbortController();
+    work = mine;
     write(main, videoText.stop);
+    rows.disabled = true;
     progress.hidden = false;
     progress.max = frames;
     progress.value = 0;
     try {
-      engine.start();
-      const film = await record(engine, shot, (done) => {
+      const film = await record({ ...chosen, pictures: pictures(asked, chosen, mine.signal) }, mine.signal, (done) => {
         progress.value = done;
         write(extent, videoText.done(done, frames));
-        return wanted;
       });
       if (film === 'stopped') write(extent, videoText.stopped);
       else if (film === 'no encoder') write(extent, videoText.noEncoder);
       else {
-        const name = `${stem}-${asked.from}-to-${asked.to}${film.ending}`;
+        const name = `${stem}-${shown(asked.from)}-to-${shown(asked.to)}${words.ending}${film.ending}`;
         save(name, film.blob);
         say(videoText.saved(name, film.frames, film.codec));
         dialog.close();
       }
     } catch (error) {
-      write(extent, wanted ? videoText.failed(broken || messageOf(error)) : videoText.stopped);
+      write(extent, mine.signal.aborted ? videoText.stopped : videoText.failed(messageOf(error)));
     } finally {
-      engine.end();
-      working = false;
+      work = null;
       write(main, videoText.start);
+      rows.disabled = false;
       progress.hidden = true;
     }
   }
 
-  function stop() {
-    wanted = false;
-  }
-
   dialog.addEventListener('close', () => {
-    stop();
+    work?.abort();
     dialog.remove();
   });
   document.body.append(dialog);

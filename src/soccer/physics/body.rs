@@ -1,7 +1,7 @@
 //! Robots and the ball: what they weigh, what their motors do, and how the ground brakes them.
 //!
-//! Masses, wheels and limits are those of rSim's robot and ball (soccer facts, section 4.1); accelerations are those
-//! that its robots were measured to reach (section 4.2, rows 1 to 8).
+//! Masses, wheels and limits are those of rSim's robot and ball; accelerations are those that its robots were
+//! measured to reach (`tests/soccer_physics.rs`).
 
 use crate::soccer::pitch::{BALL_RADIUS, ROBOT};
 use crate::soccer::view::Wheels;
@@ -84,7 +84,7 @@ impl Body {
 
     /// The wheels pull a robot for `time` seconds toward the speed and turn rate that were asked for.
     ///
-    /// Source: section 4.3, traction. The three limits are independent of each other, as there.
+    /// Source: measured on rSim 1.2 (`tests/soccer_physics.rs`); that the three limits are independent is our choice.
     pub fn pull(&mut self, drive: Drive, time: f64) {
         let [c, s] = self.front;
         let [x, y] = self.velocity;
@@ -100,7 +100,8 @@ impl Body {
     /// - `roll`: the velocity at which the ball would roll with its spin; it changes as well.
     ///
     /// While the ball slides, friction moves velocity and surface toward each other; the surface of a sphere gives way
-    /// 5/2 times as fast. Then it rolls, and is braked as measured. Source: section 4.2, rows 7 and 8, and the note.
+    /// 5/2 times as fast. Then it rolls, and is braked as measured. Source: measured on rSim 1.2
+    /// (`tests/soccer_physics.rs`).
     pub fn brake(&mut self, roll: &mut [f64; 2], time: f64) {
         let slip = [self.velocity[0] - roll[0], self.velocity[1] - roll[1]];
         let square = slip[0] * slip[0] + slip[1] * slip[1];

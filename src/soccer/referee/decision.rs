@@ -53,7 +53,7 @@ pub struct Decision {
 impl Decision {
     /// A free ball in a quadrant.
     ///
-    /// Source: section 3.3.
+    /// Source: VSSSLeague/VSSReferee, placements.
     #[must_use]
     pub fn free_ball(quadrant: Quadrant, rule: Rule) -> Self {
         Self { kick: Kick::FreeBall(quadrant), taker: quadrant.side().other(), rule }

@@ -7,7 +7,7 @@ use std::fmt::{self, Write};
 
 /// What the referee sends.
 ///
-/// Source: soccer facts, section 3.1. A free kick is unused in games of three against three.
+/// Source: VSSSLeague/VSSReferee, commands. A free kick is unused in games of three against three.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Command {

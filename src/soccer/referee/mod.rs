@@ -2,15 +2,15 @@
 //!
 //! | question | choice | reason |
 //! |---|---|---|
-//! | two rules in one frame | the first in the order of section 3.2 decides | the real checkers overwrite each other |
+//! | two rules in one frame | the first in the order of the checkers decides | the real checkers overwrite each other |
 //! | pause of 240 s between the halves | left out | nobody plays in it |
-//! | both fouls in one play | the one that held for more frames of that play | "the longer timer" (section 3.2) |
-//! | two restarts of one kind in a row | no rule against it | the facts name none |
+//! | both fouls in one play | the one that held for more frames of that play | "the longer timer" in VSSReferee |
+//! | two restarts of one kind in a row | no rule against it | VSSReferee has none |
 //! | overtime and shoot-out | only in knock-out games | as there |
 //! | pairs of a shoot-out | 5, then until one is ahead after a pair, at most 20; then whoever lost the coin wins | no source says; ours ends |
 //! | an attempt of a shoot-out | ends after 10 s at the latest | no source says |
 //!
-//! Source: soccer facts, section 3; its order of checkers, its times and its decisions are those of the league.
+//! Source: VSSSLeague/VSSReferee, the league's own; order of checkers, times and decisions are those of it.
 
 mod decision;
 mod log;
@@ -153,7 +153,7 @@ impl Referee {
 
     /// The robot of a side that spent the longest time in its own area; the lowest number of several.
     ///
-    /// Source: section 3.2, goalie checker.
+    /// Source: VSSSLeague/VSSReferee, the checker of goalkeepers.
     #[must_use]
     pub fn goalie(&self, side: Side) -> usize {
         let frames = self.watch.at_home(side);

@@ -1,4 +1,4 @@
-//! Where the ball and the robots are placed: the table of section 3.3.
+//! Where the ball and the robots are placed: the table of VSSReferee.
 
 use super::decision::Kick;
 use crate::soccer::pitch::{AREA_X, PENALTY_X, Side};
@@ -45,7 +45,8 @@ pub fn ball_place(kick: Kick, taker: Side, keeper: KeeperSide) -> [f64; 2] {
 /// - `side`, `slot`: the robot's.
 /// - `taker`, `keeper`: as for [`ball_place`].
 ///
-/// Source: section 3.3, whose table is for the team that defends the right goal: for the left one x changes its sign.
+/// Source: VSSSLeague/VSSReferee, placements. The table is for the team that defends the right goal: for the left one
+/// x changes its sign.
 #[must_use]
 pub fn default_spot(kick: Kick, taker: Side, keeper: KeeperSide, side: Side, slot: Slot) -> Spot {
     let own = side == taker;

@@ -1,6 +1,6 @@
 //! The shoot-out of a knock-out game: penalties in turns.
 //!
-//! Source: soccer facts, section 3.2: an attempt ends with a goal, when the ball leaves the goal area, crosses midfield
+//! Source: VSSSLeague/VSSReferee: an attempt ends with a goal, when the ball leaves the goal area, crosses midfield
 //! or is stuck. How many there are, and the longest time of one, are our choice; see the table in the module above.
 
 use super::decision::{Decision, Kick, Ruling};

@@ -1,6 +1,6 @@
 //! The checkers of play: goals, fouls of a play, crowds in a goal area, and a ball that is stuck.
 //!
-//! Source: soccer facts, section 3.2.
+//! Source: VSSSLeague/VSSReferee, checkers.
 
 use super::decision::{Decision, Kick};
 use super::log::Rule;
@@ -90,7 +90,7 @@ impl Watch {
         self.play_over().or_else(|| self.crowd()).or_else(|| self.stuck_ball())
     }
 
-    /// Priority 2: the end of a play, by the table of section 3.2.
+    /// Priority 2: the end of a play, as in VSSReferee.
     fn play_over(&self) -> Option<Decision> {
         let Play { area, attackers, defenders } = self.ended?;
         let ball = self.ball;

@@ -1,10 +1,10 @@
 //! When roles change: the conditions that both coaches ask.
 //!
-//! Every condition has an enter form, the table of the soccer facts, section 7, and a leave form that holds more easily:
-//! "more than" halved, "less than" times 1.5 (both adjustable). Numbers count outwards from the middle of the pitch, so
-//! that "ball x < -0.60" reads "more than 0.60 deep" and its leave form "more than 0.30 deep".
+//! Every condition has an enter form, which is our choice since the paper prints none, and a leave form that holds more
+//! easily: "more than" halved, "less than" times 1.5 (both adjustable). Numbers count outwards from the middle of the
+//! pitch, so that "ball x < -0.60" reads "more than 0.60 deep" and its leave form "more than 0.30 deep".
 //!
-//! Where the table leaves something open:
+//! Where the words of a condition leave something open:
 //!
 //! | question | choice |
 //! |---|---|
@@ -19,7 +19,7 @@ use super::geometry::{AREA_Y, FRAMES_PER_SECOND, MARK_X, OWN_GOAL, ROBOT, distan
 use super::margins::Margins;
 use crate::soccer::view::{Pose, ROBOTS, View};
 
-/// A condition, named as in the table.
+/// A condition that both coaches ask.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Condition {
     /// Striker and Assistant should swap.

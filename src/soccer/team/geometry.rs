@@ -1,6 +1,6 @@
 //! The pitch as a team sees it, and plane vectors.
 //!
-//! Team frame (soccer facts, section 2): the own goal at x = -0.75, the other one at x = 0.75; metres.
+//! Team frame: the own goal at x = -0.75, the other one at x = 0.75; metres.
 
 use crate::soccer::view::Ball;
 use crate::soccer::{physics, pitch};
@@ -23,7 +23,7 @@ pub const AREA_Y: f64 = pitch::AREA_HALF;
 pub const MARK_X: f64 = pitch::PENALTY_X;
 /// The length of a robot, s in the tables.
 pub const ROBOT: f64 = pitch::ROBOT;
-/// What rolling costs the ball, metres per second squared (section 4.1).
+/// What rolling costs the ball, metres per second squared, as measured on rSim 1.2.
 pub const ROLLING_LOSS: f64 = physics::ROLLING;
 
 /// `a + b`.

@@ -22,7 +22,9 @@ pub struct Margins {
 }
 
 impl Default for Margins {
-    /// Source: soccer facts, section 7.
+    /// The margins that a match begins with.
+    ///
+    /// Source: our choice; the paper prints none.
     fn default() -> Self {
         Self { enter: 1.0, leave_more: 0.5, leave_less: 1.5, swap_dwell: 0.25, group_dwell: 0.5, lock_out: 0.5 }
     }

@@ -192,7 +192,7 @@ impl Roster {
     /// Lets every robot take the role that belongs to its own in the other group; true when it was done. The mode is not
     /// touched.
     ///
-    /// Source: soccer facts, section 9; that a Wingback becomes Striker when defence turns into attack is the paper's.
+    /// Source: our choice; that a Wingback becomes Striker when defence turns into attack is the paper's.
     pub fn change_group(&mut self, view: &View) -> bool {
         let roles = self.duties.roles.map(|role| match role {
             Role::Wingback => Role::Striker,

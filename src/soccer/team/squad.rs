@@ -334,7 +334,7 @@ impl Team {
 
     /// Of two Strikers the nearer one to the ball gets it; they exchange when the other is nearer by more than 0.20.
     ///
-    /// Source: soccer facts, section 6, "two Strikers".
+    /// Source: our choice.
     fn choose_first_striker(&mut self, view: &View) {
         if self.roster.duties().formation != Formation::TwoStrikers {
             self.first_striker = None;
@@ -364,7 +364,7 @@ impl Team {
 
     /// Where the penalty kicker stands.
     ///
-    /// Source: soccer facts, section 6.
+    /// Source: our choice.
     fn penalty_spot(&self) -> Spot {
         let at = [0.285, self.penalty_side * 0.0225];
         let aim = [0.75, -self.penalty_side * 0.144];

@@ -1,7 +1,7 @@
 //! Who plays what when play starts again: shared by both coaches.
 //!
-//! Source: soccer facts, section 8. That penalty defence is played by Penalty Defender, Fullback and Wingback is the
-//! paper's (section 4.3); the other rows and the costs are ours.
+//! Source: our choice, rows and costs, except that penalty defence is played by Penalty Defender, Fullback and Wingback:
+//! that is the paper's (section 4.3).
 
 use super::duties::{Formation, Role};
 use super::geometry::{OWN_GOAL, distance};

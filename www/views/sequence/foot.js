@@ -6,6 +6,7 @@ import { button, h } from '../../ui/dom.js';
 import { copy, save } from '../../ui/share.js';
 import { sequenceText } from '../../ui/strings.sequence.en.js';
 import { text } from '../../ui/strings.en.js';
+import { paintScene } from './map.js';
 
 /** @import { PlanTheme } from '../../draw/sequence.js' */
 /** @import { Planner } from '../../sequence/planner.js' */
@@ -31,6 +32,7 @@ export function createSequenceFoot({ pane, planner, playback, session, map, them
       button(text.foot.copyLink, () => void copyLink()),
       button('PNG', png, { title: sequenceText.foot.png }),
       button('SVG', svg, { title: sequenceText.foot.svg }),
+      button(text.foot.video, () => void video(), { title: sequenceText.foot.videoLong }),
       button(sequenceText.foot.plan, plan, { title: sequenceText.foot.planLong }),
       button('CSV', csv, { title: sequenceText.foot.csv }),
       button('JSON', json, { title: sequenceText.foot.json }),
@@ -39,8 +41,8 @@ export function createSequenceFoot({ pane, planner, playback, session, map, them
   );
 
   const stem = () => `sequence-${session.preset}-seed${session.scenario.seed}`;
-  const address = async () => new URL(await session.link(), location.href).href;
-  const caption = () => sequenceText.foot.caption(session.preset, Number(session.scenario.seed), session.path()?.letters ?? '', playback.step / 10);
+  const address = session.href;
+  const caption = (/** @type {number} */ step) => sequenceText.foot.caption(session.preset, Number(session.scenario.seed), session.path()?.letters ?? '', step / 10);
 
   async function copyLink() {
     const link = await address();
@@ -62,16 +64,21 @@ export function createSequenceFoot({ pane, planner, playback, session, map, them
   /** The picture with its caption. @param {CanvasRenderingContext2D} context */
   function paint(context) {
     map.paint(context, SIDE);
+    write(context, caption(playback.step));
+  }
+
+  /** @param {CanvasRenderingContext2D} context @param {string} words */
+  function write(context, words) {
     context.font = `13px ${theme().font}`;
     context.fillStyle = theme().ink;
     context.textAlign = 'start';
-    context.fillText(caption(), 32, SIDE - 6);
+    context.fillText(words, 32, SIDE - 6);
   }
 
   function svg() {
     const context = createSvgContext(SIDE, SIDE);
     paint(/** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context)));
-    save(`${stem()}.svg`, new Blob([context.toString(caption(), theme().ground)], { type: 'image/svg+xml' }));
+    save(`${stem()}.svg`, new Blob([context.toString(caption(playback.step), theme().ground)], { type: 'image/svg+xml' }));
   }
 
   function png() {
@@ -82,6 +89,34 @@ export function createSequenceFoot({ pane, planner, playback, session, map, them
     context.fillRect(0, 0, SIDE, SIDE);
     paint(context);
     canvas.toBlob((blob) => blob && save(`${stem()}.png`, blob));
+  }
+
+  /** Films the plan on screen; what the search still finds changes nothing of it. */
+  async function video() {
+    const scene = map.scene();
+    if (!scene?.path || scene.stale) {
+      say(sequenceText.foot.noPlan);
+      return;
+    }
+    playback.pause();
+    const letters = scene.path.letters;
+    const colours = theme();
+    try {
+      const { filmPlan } = await import('./filming.js');
+      filmPlan({
+        last: scene.path.frames - 1,
+        side: SIDE,
+        ground: colours.ground,
+        paint(context, step) {
+          paintScene(context, { ...scene, size: SIDE, step }, colours, null);
+          write(context, sequenceText.foot.caption(session.preset, Number(session.scenario.seed), scene.layers.plan ? letters : '', step / 10));
+        },
+        stem: stem(),
+        say,
+      });
+    } catch {
+      say(text.foot.videoMissing, 'problem');
+    }
   }
 
   /** The path on screen; says so when there is none. */

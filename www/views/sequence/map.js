@@ -39,11 +39,12 @@ export function createMap({ label, scene, frontier, fan, theme, drawn = () => {}
     overlay,
     size: () => size,
     invalidate,
+    scene,
 
     /** The picture as a drawing on another context. @param {CanvasRenderingContext2D} target @param {number} side */
     paint(target, side) {
       const now = scene();
-      if (now) paintAll(target, { ...now, size: side });
+      if (now) paintScene(target, { ...now, size: side }, theme(), { frontier: frontier(), fan: fan() });
     },
   };
 
@@ -104,22 +105,6 @@ export function createMap({ label, scene, frontier, fan, theme, drawn = () => {}
     ghostRows = rowCount;
   }
 
-  /** @param {CanvasRenderingContext2D} target @param {Scene} now */
-  function paintAll(target, now) {
-    const colours = theme();
-    drawCells(target, now, colours);
-    if (now.layers.frontier) {
-      const { rows, rowCount } = frontier();
-      drawFrontier(target, now, colours, rows, 0, rowCount, strengthOf(rowCount));
-    }
-    drawMap(target, now, colours);
-    if (now.layers.plan) drawPlan(target, now, colours);
-    const rays = now.layers.fan ? fan() : null;
-    if (rays) drawFan(target, now, colours, rays);
-    drawSwarm(target, now, colours);
-    if (now.layers.plan) drawLetters(target, now, colours);
-  }
-
   /** @param {Sheet} from @param {number} [strength] */
   function lay(from, strength = 1) {
     context.setTransform(1, 0, 0, 1, 0, 0);
@@ -149,6 +134,29 @@ export function createMap({ label, scene, frontier, fan, theme, drawn = () => {}
 
   new ResizeObserver(resize).observe(stage);
   return map;
+}
+
+/**
+ * A whole scene, for pictures.
+ *
+ * @param {CanvasRenderingContext2D} target
+ * @param {Scene} scene
+ * @param {PlanTheme} theme
+ * @param {{ frontier: { rows: Float32Array, rowCount: number }, fan: { rays: Ray[], middles: Float32Array } | null } | null} search
+ *   what is drawn of the search where the layers are on; null for nothing
+ */
+export function paintScene(target, scene, theme, search) {
+  const { layers } = scene;
+  drawCells(target, scene, theme);
+  if (search && layers.frontier) {
+    const { rows, rowCount } = search.frontier;
+    drawFrontier(target, scene, theme, rows, 0, rowCount, strengthOf(rowCount));
+  }
+  drawMap(target, scene, theme);
+  if (layers.plan) drawPlan(target, scene, theme);
+  if (search?.fan && layers.fan) drawFan(target, scene, theme, search.fan);
+  drawSwarm(target, scene, theme);
+  if (layers.plan) drawLetters(target, scene, theme);
 }
 
 /** @returns {Sheet} */

@@ -1,4 +1,4 @@
-import { ASPECT } from '../../draw/soccer.js';
+import { ASPECT, drawMatch } from '../../draw/soccer.js';
 import { createSvgContext } from '../../draw/svgcontext.js';
 import { LONGEST_LINK } from '../../pack.js';
 import { logCsv, logJson, posesCsv } from '../../soccer/export.js';
@@ -7,24 +7,26 @@ import { copy, save } from '../../ui/share.js';
 import { soccerText } from '../../ui/strings.soccer.en.js';
 import { text } from '../../ui/strings.en.js';
 
-/** @import { PitchTheme } from '../../draw/soccer.js' */
+/** @import { PitchScene, PitchTheme } from '../../draw/soccer.js' */
 /** @import { SoccerMatch } from '../../soccer/match.js' */
 /** @import { SoccerPlayback } from '../../soccer/playback.js' */
 /** @import { SoccerSession } from '../../soccer/session.js' */
-/** @import { Pitch } from './pitch.js' */
 
 const WIDTH = 900;
 const CAPTION = 28;
+const HEIGHT = Math.round(WIDTH / ASPECT) + CAPTION;
 const PICTURE_SCALE = 2;
 const words = soccerText.foot;
 
 /**
  * The footer: version, fingerprint, and everything that can be taken away.
  *
- * @param {{ pane: HTMLElement, match: SoccerMatch, playback: SoccerPlayback, session: SoccerSession, pitch: Pitch, theme: () => PitchTheme, names: () => string[],
+ * @param {{ pane: HTMLElement, match: SoccerMatch, playback: SoccerPlayback, session: SoccerSession, theme: () => PitchTheme, names: () => string[],
+ *   scene: (tick: number) => Omit<PitchScene, 'width' | 'height'> | null, still: () => Promise<void>,
  *   say: (message: string, kind?: 'note' | 'problem', offers?: { label: string, press: () => void }[]) => void }} parts
+ *   `scene` is what is drawn of a moment, `still` ends what somebody does to the match by hand
  */
-export function createSoccerFoot({ pane, match, playback, session, pitch, theme, names, say }) {
+export function createSoccerFoot({ pane, match, playback, session, theme, names, scene, still, say }) {
   const fingerprint = h('output', { class: 'fingerprint', id: 'soccer-fingerprint', title: words.fingerprint, 'aria-label': words.fingerprint });
   pane.append(
     h('p', { class: 'facts' }, h('span', {}, session.version), fingerprint),
@@ -34,6 +36,7 @@ export function createSoccerFoot({ pane, match, playback, session, pitch, theme,
       button(text.foot.copyLink, () => void copyLink()),
       button('PNG', png, { title: words.png }),
       button('SVG', svg, { title: words.svg }),
+      button(text.foot.video, () => void video(), { title: words.videoLong }),
       button(words.log, log, { title: words.logLong }),
       button(words.logCsv, logAsCsv, { title: words.logCsvLong }),
       button(words.csv, poses, { title: words.csvLong }),
@@ -43,11 +46,11 @@ export function createSoccerFoot({ pane, match, playback, session, pitch, theme,
   );
 
   const stem = () => `${session.preset}-seed${session.scenario().seed}`;
-  const address = async () => new URL(await session.link(), location.href).href;
-  const caption = () => {
-    const { phase, seconds } = match.film.clock(playback.tick);
+  const address = session.href;
+  const caption = (/** @type {number} */ tick) => {
+    const { phase, seconds } = match.film.clock(tick);
     const [blue, yellow] = names();
-    return words.caption(blue, yellow, Number(session.scenario().seed), soccerText.board.time(phase, seconds), match.film.goals(playback.tick));
+    return words.caption(blue, yellow, Number(session.scenario().seed), soccerText.board.time(phase, seconds), match.film.goals(tick));
   };
 
   async function copyLink() {
@@ -66,30 +69,42 @@ export function createSoccerFoot({ pane, match, playback, session, pitch, theme,
     else say(text.foot.notCopied(string), 'problem');
   }
 
-  /** The picture with its caption. @param {CanvasRenderingContext2D} context */
-  function paint(context) {
-    pitch.paint(context, WIDTH);
+  /** The picture of a moment with its caption. @param {CanvasRenderingContext2D} context @param {number} tick */
+  function paint(context, tick) {
+    const now = scene(tick);
+    if (now) drawMatch(context, { ...now, width: WIDTH, height: WIDTH / ASPECT }, theme());
     context.font = `13px ${theme().font}`;
     context.fillStyle = theme().ink;
     context.textAlign = 'start';
-    context.fillText(caption(), 24, WIDTH / ASPECT + CAPTION / 2);
+    context.fillText(caption(tick), 24, WIDTH / ASPECT + CAPTION / 2);
   }
 
   function svg() {
-    const context = createSvgContext(WIDTH, Math.round(WIDTH / ASPECT) + CAPTION);
-    paint(/** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context)));
-    save(`${stem()}-tick${playback.tick}.svg`, new Blob([context.toString(caption(), theme().ground)], { type: 'image/svg+xml' }));
+    const context = createSvgContext(WIDTH, HEIGHT);
+    paint(/** @type {CanvasRenderingContext2D} */ (/** @type {unknown} */ (context)), playback.tick);
+    save(`${stem()}-tick${playback.tick}.svg`, new Blob([context.toString(caption(playback.tick), theme().ground)], { type: 'image/svg+xml' }));
   }
 
   function png() {
-    const height = Math.round(WIDTH / ASPECT) + CAPTION;
-    const canvas = h('canvas', { width: WIDTH * PICTURE_SCALE, height: height * PICTURE_SCALE });
+    const canvas = h('canvas', { width: WIDTH * PICTURE_SCALE, height: HEIGHT * PICTURE_SCALE });
     const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
     context.scale(PICTURE_SCALE, PICTURE_SCALE);
     context.fillStyle = theme().ground;
-    context.fillRect(0, 0, WIDTH, height);
-    paint(context);
+    context.fillRect(0, 0, WIDTH, HEIGHT);
+    paint(context, playback.tick);
     canvas.toBlob((blob) => blob && save(`${stem()}-tick${playback.tick}.png`, blob));
+  }
+
+  async function video() {
+    if (!scene(playback.tick)) return;
+    playback.pause();
+    await still();
+    try {
+      const { filmMatch } = await import('./filming.js');
+      filmMatch({ match, tick: playback.tick, ground: theme().ground, width: WIDTH, height: HEIGHT, paint, stem: stem(), say });
+    } catch {
+      say(text.foot.videoMissing, 'problem');
+    }
   }
 
   /** Says so when the match is not whole yet. */

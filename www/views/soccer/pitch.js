@@ -77,16 +77,6 @@ export function createPitch({ label, scene, theme, drawn = () => {} }) {
     overlay,
     size: () => size,
     invalidate,
-
-    /** The picture as a drawing on another context. @param {CanvasRenderingContext2D} target @param {number} width */
-    paint(target, width) {
-      const now = scene();
-      if (!now) return;
-      const whole = { ...now, width, height: width / ASPECT };
-      drawPitch(target, whole, theme());
-      if (now.layers.trail) drawTrail(target, whole, theme());
-      drawPlayers(target, whole, theme());
-    },
   };
 }
 

@@ -91,7 +91,7 @@ export function createStudyFoot({ pane, run, session, shown, origin, say }) {
     }
   }
 
-  const address = async () => new URL(await session.link(), location.href).href;
+  const address = session.href;
 
   async function copyLink() {
     const link = await address();

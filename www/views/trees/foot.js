@@ -38,7 +38,7 @@ export function createBenchFoot({ pane, run, session, format, picture, title, pl
 
   const name = () => session.entry()?.name ?? 'tree';
   const stem = () => `${name()}-tick${run.tick}`;
-  const address = async () => new URL(await session.link(), location.href).href;
+  const address = session.href;
 
   async function copyLink() {
     run.pause();

@@ -2,7 +2,7 @@
 //!
 //! Paper: section 4.3 and Figure 3. The text fixes the numbers of states, that the start state is chosen before the machine
 //! runs, that each edge has a guard and a transition function, and that a swap state is left by the negation of the swap
-//! condition, which gives hysteresis. Names of the states, edges and guards are ours (soccer facts, section 9).
+//! condition, which gives hysteresis. Names of the states, edges and guards are ours.
 
 use crate::fingerprint::Fingerprint;
 use crate::soccer::team::conditions::{Condition, Form, Scene};
@@ -162,7 +162,7 @@ const fn edge(from: State, to: State, guard: Guard, function: Function) -> Trans
 
 /// All edges; of one state, the guards are tried in this order.
 ///
-/// Source: soccer facts, section 9. That a Wingback becomes Striker when the group changes is the paper's.
+/// Source: our choice; the paper prints no edges. That a Wingback becomes Striker when the group changes is the paper's.
 pub const TRANSITIONS: [Transition; 11] = {
     use Condition as C;
     use Function::{Become, ChangeGroup, Nothing, Swap};

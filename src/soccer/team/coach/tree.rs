@@ -1,7 +1,7 @@
 //! The Coach as a behaviour tree, read from XML and ticked by the shared engine.
 //!
 //! Paper: section 5 and Figures 4 to 7. The text fixes the branches, their order and that the mode stands on the
-//! blackboard; node kinds, keys and conditions are ours (soccer facts, section 10). The tree ships as
+//! blackboard; node kinds, keys and conditions are ours. The tree ships as
 //! `trees/soccer/coach.xml` and can be edited; [`Program::read`] refuses what would break the organisation.
 //!
 //! Leaves act through the same [`Roster`] as the machine. What scripts write to the board takes effect at the end of the
@@ -320,7 +320,7 @@ impl Host<Leaf> for Hands<'_> {
 impl Hands<'_> {
     /// The pair's condition, behind its latch: closed by a swap, opened once the leave form was false and the dwell is over.
     ///
-    /// Source: soccer facts, section 10.
+    /// Source: our choice, so that the tree has the hysteresis that the paper gives the state machine (section 4.3).
     fn should_swap(&mut self, pair: Pair) -> bool {
         let scene = self.roster.scene(self.view, self.margins);
         let condition = Condition::of(pair);

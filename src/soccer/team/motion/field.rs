@@ -163,7 +163,7 @@ fn wall(coordinate: f64, half: f64) -> f64 {
 ///
 /// - `from`: the place relative to the centre.
 ///
-/// Source: section 5, "arrival direction".
+/// Source: our choice, after the arrival fields of the league's teams UnBall and ThunderVolt.
 fn spiral(from: [f64; 2], wide: f64, turn: f64) -> [f64; 2] {
     let far = length(from);
     let angle = if far > BESIDE {

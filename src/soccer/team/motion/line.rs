@@ -16,7 +16,7 @@ const FADES: f64 = 0.02;
 /// The weight of the way along the line is Gaussian in the distance to it: 1 on the line, where the weight of the way to
 /// the line is 0.
 ///
-/// Source: soccer facts, section 5, "line keeping".
+/// Source: our choice.
 ///
 /// - `front`: the unit vector of the robot's heading.
 pub fn keep_line(motion: &mut Motion, pose: &Pose, front: [f64; 2], x: f64, y: f64) -> Wheels {

@@ -1,6 +1,6 @@
 //! How a robot moves: the field it follows, the lines it keeps, and the wheel speeds that follow from both.
 //!
-//! Source: soccer facts, section 5. All roles share it, under both coaches. Where the section is silent:
+//! Source: our choice, after the league's teams ThunderVolt and UnBall. All roles share it, under both coaches.
 //!
 //! | question | choice |
 //! |---|---|
@@ -26,7 +26,7 @@ use crate::soccer::view::{Ball, Wheels};
 
 /// Where to meet a moving ball, for a robot at `from`.
 ///
-/// Source: section 5, "look ahead".
+/// Source: our choice.
 #[must_use]
 pub fn meet(ball: &Ball, from: [f64; 2]) -> [f64; 2] {
     let [x, y] = plus(ball.at, times(ball.velocity, distance(ball.at, from) / 0.8));

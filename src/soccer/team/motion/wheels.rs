@@ -22,7 +22,7 @@ const FLIP_FRAMES: u32 = 30;
 
 /// Wheel speeds for a speed and a turn rate; when a wheel would be too fast the turn is kept and the speed reduced.
 ///
-/// Source: section 5.
+/// Source: our choice.
 #[must_use]
 pub fn wheels(speed: f64, turn: f64) -> Wheels {
     let most = WHEEL_LIMIT * WHEEL_RADIUS;
@@ -59,7 +59,7 @@ impl Motion {
     /// - `curvature`: by how much the course turns on the way, radians per metre, counter-clockwise.
     /// - `left_to_go`: distance to where the robot shall stand; infinite when it shall not stop.
     ///
-    /// Source: section 5, "drive either way" and "turning".
+    /// Source: our choice.
     pub fn drive(&mut self, front: [f64; 2], course: [f64; 2], curvature: f64, left_to_go: f64) -> Wheels {
         let leads = if self.reversed { times(front, -1.0) } else { front };
         let mut error = libm::atan2(cross(leads, course), dot(leads, course));

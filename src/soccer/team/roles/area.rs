@@ -1,6 +1,6 @@
 //! The area rule: at most one field player in a goal area while the ball is there.
 //!
-//! Source: soccer facts, section 6; section 3.2 for what the referee counts. Choices: see the table in `mod.rs`.
+//! Source: VSSSLeague/VSSReferee for what the referee counts; the rest is our choice, see the table in `mod.rs`.
 
 use super::player::Scene;
 use crate::soccer::team::geometry::{AREA_X, AREA_Y, distance, in_area, minus, plus, side, times};

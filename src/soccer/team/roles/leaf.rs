@@ -157,7 +157,7 @@ impl What {
 
     /// The numbers it takes. The defaults are those of the built-in roles.
     ///
-    /// Source: soccer facts, section 6. Of two thresholds, the first lets a state begin and the second lets it end.
+    /// Source: our choice. Of two thresholds, the first lets a state begin and the second lets it end.
     #[must_use]
     pub fn numbers(self) -> &'static [Number] {
         match self {

@@ -1,7 +1,7 @@
 //! The seven roles as behaviour trees on the shared engine: one tree a role, one leaf a state's condition or a skill.
 //!
-//! The names and purposes are the paper's (section 4.1), the behaviour is ours (soccer facts, section 6). Where the table
-//! leaves something open:
+//! The names and purposes are the paper's (section 4.1), the behaviour is ours. Where its description leaves
+//! something open:
 //!
 //! | question | choice |
 //! |---|---|

@@ -18,6 +18,7 @@ import { initSync as initTrees, tick_headless } from '../www/trees/engine/swarm_
 import { COVERAGE, FIXED, FIXED_STEPS, FLOCKS, FLOCK_STEPS, FORAGING, LAYOUTS, MATCH, MATCH_STEPS, NAVIGATION, PROOF, PUBLISHED, STEPS, TICKS, TREE, median, playMatch, runWorld, searchLayouts, timed } from '../www/measure/measures.js';
 
 const MATCHES = 250; // of the paper's study
+const OPTIMUM = 'tests/cases/optimum.json'; // six decisions
 const scenario = process.env.SCENARIO || FORAGING;
 const steps = Number(process.env.STEPS || STEPS);
 const ticks = Number(process.env.TICKS || TICKS);
@@ -186,6 +187,13 @@ function plans() {
   for (const [name, count] of /** @type {[string, number][]} */ ([['native', proven(proof.native)], ['wasm', proven(proof.wasm)]])) {
     console.log(`${name.padEnd(12)} ${verdict(count >= 8)}: ${count} of ${LAYOUTS}, at least 8`);
   }
+
+  const optimum = searches(OPTIMUM, LAYOUTS, 1);
+  const ended = optimum.found.filter(({ outcome }) => outcome === 'solved' || outcome === 'proved infeasible').length;
+  console.log(`\n${OPTIMUM}, ${LAYOUTS} layouts: the cheapest plan, or that there is none`);
+  console.log(`proven       ${verdict(ended === LAYOUTS)}: ${ended} of ${LAYOUTS}`);
+  ms('native', per(optimum.native), 1000);
+  console.log(`wasm         ${per(optimum.wasm).toFixed(1)} ms at the median`);
 
   const flocks = searches(FLOCKS, 1, rounds);
   const [fast, slow] = [FLOCK_STEPS / flocks.native[0], FLOCK_STEPS / flocks.wasm[0]];

@@ -6,7 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use swarm_playground::bt::Status::{Failure, Running, Skipped, Success};
 use swarm_playground::bt::{
     BuildError, Builder, Builtin, Host, Kind, Memory, NodeId, Ports, Silent, Status, Tree, halt_tree,
-    tick_exactly_once, tick_once,
+    tick_exactly_once, tick_instant, tick_once,
 };
 
 /// Leaves that return the statuses of a script, the last one again and again.
@@ -205,4 +205,84 @@ fn malformed_trees_are_refused() {
     assert_eq!(builder.finish(), Err(BuildError::Unbalanced));
     builder.leaf(0);
     assert!(builder.finish().is_ok(), "a fault leaves no trace");
+}
+
+/// Leaves that are done at once: the bits of a number, one after the other.
+struct Bits {
+    bits: u64,
+    taken: u32,
+}
+
+impl Bits {
+    fn next(&mut self) -> bool {
+        self.taken += 1;
+        self.bits.rotate_right(self.taken) & 1 == 1
+    }
+}
+
+impl Host<()> for Bits {
+    fn tick(&mut self, _node: NodeId, _leaf: &(), _ports: &mut Ports) -> Status {
+        Status::completed(self.next())
+    }
+}
+
+/// Some tree of the kinds that remember nothing when all leaves are done at once.
+fn some_tree(choices: &mut impl FnMut(u32) -> u32, depth: u32, builder: &mut Builder<()>) {
+    let kinds = [Kind::Sequence, Kind::Fallback, Kind::ReactiveSequence, Kind::ReactiveFallback];
+    let decorators = [Kind::Inverter, Kind::ForceSuccess, Kind::ForceFailure];
+    match choices(if depth == 0 { 1 } else { 9 }) {
+        0..3 => builder.leaf(()),
+        kind @ 3..7 => {
+            builder.open(kinds[kind as usize - 3].clone());
+            (0..=choices(4)).for_each(|_| some_tree(choices, depth - 1, builder));
+            builder.close();
+        }
+        _ => {
+            builder.open(decorators[choices(3) as usize].clone());
+            some_tree(choices, depth - 1, builder);
+            builder.close();
+        }
+    }
+}
+
+#[test]
+fn ticks_without_a_memory_are_the_ticks_with_one() {
+    let mut number = 1_u64;
+    let mut draw = || {
+        number = number.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        number >> 33
+    };
+    let mut most = 0;
+    for _ in 0..500 {
+        let mut builder = Builder::default();
+        some_tree(&mut |below| (draw() % u64::from(below)) as u32, 5, &mut builder);
+        let tree = builder.finish().expect("a tree");
+        most = most.max(tree.nodes().len());
+        let mut memory = Memory::for_tree(&tree);
+        for _ in 0..8 {
+            let bits = draw() << 31 ^ draw();
+            let (mut with, mut without) = (Vec::new(), Vec::new());
+            let mut host = Bits { bits, taken: 0 };
+            let expected = tick_once(&tree, &mut memory, &mut host, &mut with).expect("no error");
+            let mut leaves = Bits { bits, taken: 0 };
+            let found = tick_instant(&tree, |()| leaves.next(), &mut without);
+            assert_eq!((found, leaves.taken), (Ok(expected), host.taken));
+            assert_eq!(with, without);
+        }
+    }
+    assert!(most > 50, "some of the trees are large");
+}
+
+#[test]
+fn nodes_that_need_a_memory_are_refused_without_one() {
+    for kind in [Kind::SequenceWithMemory, parallel(1, 1)] {
+        let mut builder = Builder::default();
+        builder.open(Kind::Sequence);
+        builder.open(kind);
+        builder.leaf(0);
+        builder.close();
+        builder.close();
+        let tree = builder.finish().expect("a tree");
+        assert_eq!(tick_instant(&tree, |_| true, &mut Silent), Err(NodeId(1)));
+    }
 }

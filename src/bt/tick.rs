@@ -11,10 +11,6 @@ use std::fmt;
 
 /// Runs the leaves of a world.
 pub trait Host<L> {
-    /// True for a host whose trees have no [`Builtin`] nodes, conditions or ports: what runs those is then left out of
-    /// the program, and ticks do not look for them.
-    const PLAIN: bool = false;
-
     /// Ticks one leaf and returns its status, which is never IDLE.
     fn tick(&mut self, node: NodeId, leaf: &L, ports: &mut Ports) -> Status;
 
@@ -164,8 +160,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
 
     pub(super) fn tick(&mut self, node: NodeId) -> Result<Status, Broken> {
         let tree: &'a Tree<L> = self.tree;
-        let scripts = if H::PLAIN { None } else { tree.scripts(node) };
-        let status = match scripts {
+        let status = match tree.scripts(node) {
             Some(scripts) => self.tick_with(node, scripts)?,
             None => self.tick_kind(node, &tree.nodes()[node.index()].kind)?,
         };
@@ -222,7 +217,6 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
             }),
             Kind::ForceSuccess => self.only_child(node).map(|status| forced(status, Status::Success)),
             Kind::ForceFailure => self.only_child(node).map(|status| forced(status, Status::Failure)),
-            Kind::Builtin(_) if H::PLAIN => Err(self.error(node, "expected a node that a plain host runs")),
             Kind::Builtin(builtin) => self.tick_builtin(node, builtin),
         }
     }
@@ -328,8 +322,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     fn halt_running(&mut self, node: NodeId) {
         let tree: &'a Tree<L> = self.tree;
         self.halt_kind(node, &tree.nodes()[node.index()].kind);
-        if !H::PLAIN
-            && let Some(scripts) = tree.scripts(node)
+        if let Some(scripts) = tree.scripts(node)
             && let Some(script) = &scripts.after[3]
             && self.run(node, script).is_err()
         {
@@ -346,7 +339,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         match kind {
             Kind::Leaf(leaf) => self.host.halt(node, leaf),
             Kind::SequenceWithMemory => {}
-            Kind::Builtin(builtin) if !H::PLAIN => self.halt_builtin(node, builtin, in_block),
+            Kind::Builtin(builtin) => self.halt_builtin(node, builtin, in_block),
             _ => self.slot(node).cursor = 0,
         }
     }

@@ -9,7 +9,6 @@ use super::switches::{
     AvoidRule, Blackboard, DropPostcondition, EdgeRule, InitialMemory, MoveAwayPostcondition, PerceptWipe, Rounding,
     StepRule,
 };
-use crate::bt::{Host, NodeId, Ports, Status};
 use crate::fingerprint::Fingerprint;
 use crate::random::{Stream, direction, standard_normal};
 use rand::RngExt;
@@ -446,20 +445,12 @@ impl<'a> Actor<'a> {
 }
 
 impl Actor<'_> {
-    /// Runs a leaf, of a tree or of a machine.
-    pub fn act(&mut self, leaf: Leaf) -> Status {
+    /// Runs a leaf, of a tree or of a machine; true when it succeeds.
+    pub fn act(&mut self, leaf: Leaf) -> bool {
         let success = self.run(leaf) != leaf.negated;
         if success && leaf.name.is_action() {
             self.body.last_action = Some(leaf);
         }
-        Status::completed(success)
-    }
-}
-
-impl Host<Leaf> for Actor<'_> {
-    const PLAIN: bool = true;
-
-    fn tick(&mut self, _node: NodeId, leaf: &Leaf, _ports: &mut Ports) -> Status {
-        self.act(*leaf)
+        success
     }
 }

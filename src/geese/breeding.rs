@@ -1,7 +1,8 @@
 //! The act phase: parents from the pool, children by crossover and mutation, the most diverse child.
 
 use super::brood::Brood;
-use super::mind::{Entry, Mind};
+use super::genomes::Genomes;
+use super::mind::{Entry, Offer};
 use super::params::{CrossoverMode, GenomeSelection, MutationMode, Params, ParentSelection};
 use super::program::{Compiler, Survey};
 use super::switches::{EliteRank, Init, LengthRule};
@@ -16,7 +17,7 @@ use rand::RngExt;
 pub enum Source {
     /// In the agent's storage, by place.
     Stored(u32),
-    /// With its owner, met in this very step: no copy is needed.
+    /// With its owner, met in this very step.
     Met(u32),
 }
 
@@ -94,18 +95,20 @@ impl Breeder {
     /// it returns the winner of a tournament by fitness: a child has not run yet, so it is given the mean of its parents'
     /// (our choice: what is untried is neither favoured nor barred).
     ///
-    /// - `own`: the agent's mind; it stands last in the pool, unless it stays out of it.
+    /// - `own`: what the agent itself has; it stands last in the pool, unless it stays out of it.
     /// - `stored`: the agent's storage, to which the pool's [`Source::Stored`] points.
-    /// - `minds`: all agents, to which [`Source::Met`] points.
+    /// - `offers`: what all agents have, to which [`Source::Met`] points.
+    /// - `genomes`: holds all of their genomes.
     ///
     /// Source: BeTr-GEESE, sections 3 and 4.1, Table 1. The share of parents and the number of children are our choice.
     pub fn breed(
         &mut self,
         params: &Params,
         rng: &mut Stream,
-        own: &Mind,
+        own: &Offer,
         stored: &[Entry],
-        minds: &[Mind],
+        offers: &[Offer],
+        genomes: &Genomes,
     ) -> Option<Best<'_>> {
         if params.genome_selection == GenomeSelection::Fresh {
             let mut genome = std::mem::take(&mut self.best);
@@ -114,21 +117,15 @@ impl Breeder {
             return survey.map(|survey| Best { genome: &self.best, diversity: survey.diversity });
         }
         let Self { compiler, mutation, pool, fitness, sorted, parents, children, best, brood, .. } = self;
-        let genome_of = |index: u32| match pool.get(index as usize) {
-            Some(&Source::Stored(at)) => &stored[at as usize].genome,
-            Some(&Source::Met(agent)) => &minds[agent as usize].genome,
-            None => &own.genome,
+        let of = |source: &Source| match *source {
+            Source::Stored(at) => stored[at as usize].offer,
+            Source::Met(agent) => offers[agent as usize],
         };
-        let diversity_of = |index: u32| match pool.get(index as usize) {
-            Some(&Source::Stored(at)) => stored[at as usize].diversity,
-            Some(&Source::Met(agent)) => minds[agent as usize].diversity,
-            None => own.diversity,
-        };
+        let offer = |index: u32| pool.get(index as usize).map_or(*own, of);
+        let genome_of = |index: u32| genomes.get(offer(index).genome);
+        let diversity_of = |index: u32| offer(index).diversity;
         fitness.clear();
-        fitness.extend(pool.iter().map(|source| match *source {
-            Source::Stored(at) => stored[at as usize].fitness,
-            Source::Met(agent) => minds[agent as usize].fitness,
-        }));
+        fitness.extend(pool.iter().map(|source| of(source).fitness));
         if params.own_in_pool {
             fitness.push(own.fitness);
         }

@@ -4,7 +4,7 @@ use super::leaf::Leaf;
 use super::machine::Machine;
 use super::mind::Trace;
 use super::program::{placeholder, program_id, program_text};
-use crate::bt::{Memory, Tree};
+use crate::bt::Tree;
 
 /// The one or the other, by what the grammar writes.
 #[derive(Clone, Debug)]
@@ -15,13 +15,11 @@ pub enum Controller {
     Machine(Machine),
 }
 
-/// A tree with its memory and the trace of its nodes.
+/// A tree with the trace of its nodes. Its leaves complete at once, so there is nothing else to remember.
 #[derive(Clone, Debug)]
 pub struct Planted {
     /// The tree.
     pub tree: Tree<Leaf>,
-    /// What the tree remembers between ticks.
-    pub memory: Memory,
     /// One trace for each node.
     pub trace: Vec<Trace>,
 }
@@ -35,7 +33,7 @@ impl Default for Controller {
 
 impl From<Tree<Leaf>> for Controller {
     fn from(tree: Tree<Leaf>) -> Self {
-        Self::Tree(Planted { tree, memory: Memory::default(), trace: Vec::new() })
+        Self::Tree(Planted { tree, trace: Vec::new() })
     }
 }
 
@@ -71,11 +69,10 @@ impl Controller {
         }
     }
 
-    /// Fits memory and trace to what was just built.
+    /// Fits the trace to what was just built.
     pub fn renew(&mut self) {
         match self {
-            Self::Tree(Planted { tree, memory, trace }) => {
-                memory.fit(tree);
+            Self::Tree(Planted { tree, trace }) => {
                 trace.clear();
                 trace.resize(tree.nodes().len(), Trace::default());
             }

@@ -1,5 +1,7 @@
 //! Points in the square arena, sorted into cells, so that a search near a place looks at few of them.
 
+use super::ahead::call_for_place;
+
 /// A set of points with ids 0 to n - 1, each in the set or not.
 ///
 /// Cells are linked lists through the ids: moving a point changes two lists and allocates nothing.
@@ -119,6 +121,40 @@ impl Grid {
                 }
             }
         }
+    }
+
+    /// Calls for a point, see [`super::ahead`].
+    pub fn call_for(&self, id: u32) {
+        call_for_place(&self.links, id as usize);
+    }
+
+    /// Calls for the cells that a disc touches.
+    pub fn call_for_cells(&self, place: [f64; 2], radius: f64) {
+        let [[left, bottom], [right, top]] =
+            self.corners(place.map(|value| value - radius), place.map(|value| value + radius));
+        for row in bottom..=top {
+            call_for_place(&self.heads, (row * self.side + left) as usize);
+            call_for_place(&self.heads, (row * self.side + right) as usize);
+        }
+    }
+
+    /// Calls for the first point of each cell that a disc touches.
+    pub fn call_for_near(&self, place: [f64; 2], radius: f64) {
+        let [[left, bottom], [right, top]] =
+            self.corners(place.map(|value| value - radius), place.map(|value| value + radius));
+        for row in bottom..=top {
+            for cell in row * self.side + left..=row * self.side + right {
+                let head = self.heads[cell as usize];
+                if head != NONE {
+                    self.call_for(head);
+                }
+            }
+        }
+    }
+
+    /// The cells of two corners of a rectangle, by column and row.
+    fn corners(&self, low: [f64; 2], high: [f64; 2]) -> [[u32; 2]; 2] {
+        [low, high].map(|corner| corner.map(|coordinate| self.axis(coordinate)))
     }
 
     /// Whether a point lies in a cell: on its lower and left side, on the others only where the arena ends.

@@ -277,7 +277,7 @@ fn behaviours(state: &State, names: &[Name]) -> Vec<Behaviour> {
 }
 
 fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
-    let (body, mind) = (&state.bodies[id as usize], &state.minds[id as usize]);
+    let (body, mind, offer) = (&state.bodies[id as usize], &state.minds[id as usize], &state.offers[id as usize]);
     let position = state.field.agents.point(id);
     let field = &state.field;
     let stands_in = |place: Object| match place {
@@ -299,8 +299,8 @@ fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
         alive: body.alive,
         knows: places(&|place| body.knows(place, field)),
         inside: places(&stands_in),
-        fitness: mind.fitness,
-        diversity: mind.diversity,
+        fitness: offer.fitness,
+        diversity: offer.diversity,
         exploration: mind.exploration(params.exploration),
         feedback: mind.feedback,
         prospective: u32::from(body.load.is_some()),
@@ -308,16 +308,16 @@ fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
         memory: params.fitness_memory,
         counts: counted(params),
         since_swap: state.tick - mind.since,
-        swaps: mind.swaps,
+        swaps: offer.swaps,
         stored: mind
             .storage
             .entries()
             .iter()
-            .map(|entry| Stored { donor: entry.donor, fitness: entry.fitness, diversity: entry.diversity })
+            .map(|entry| Stored { donor: entry.donor, fitness: entry.offer.fitness, diversity: entry.offer.diversity })
             .collect(),
         last_action: body.last_action.map(|leaf| leaf.to_string()),
-        genome: mind.genome.codons.clone(),
-        used: mind.genome.used,
+        genome: state.genomes.get(offer.genome).codons.clone(),
+        used: state.genomes.get(offer.genome).used,
         program: hex(ran.id),
         replaced_by: mind.was_replaced(state.tick).then(|| mind.program.controller.text()),
     }

@@ -19,7 +19,7 @@ impl State {
         // In every turn, also alone: what donors had two programs ago is nowhere to be found.
         if params.storage_value == StorageValue::Live {
             let mut storage = std::mem::take(&mut self.minds[agent as usize].storage);
-            storage.refresh(&self.minds);
+            storage.refresh(&self.offers, &self.minds);
             self.minds[agent as usize].storage = storage;
         }
         let place = self.field.agents.point(agent);
@@ -53,11 +53,9 @@ impl State {
             return;
         }
         let live = params.storage_value == StorageValue::Live;
-        let mut storage = std::mem::take(&mut mind.storage);
         for &donor in near.ids() {
-            storage.store(donor, &self.minds[donor as usize], again, live);
+            mind.storage.store(donor, &self.offers[donor as usize], &mut self.genomes, again, live);
         }
-        self.minds[agent as usize].storage = storage;
     }
 
     /// Breeds from the storage and those just met, and takes up the best child if the swap rule lets it.
@@ -79,31 +77,30 @@ impl State {
             for _ in 0..10 {
                 if let Some(survey) = breeder.genesis(params, &mut rng, &mut genome) {
                     breeder.pool.push(Source::Stored(storage.entries().len() as u32));
-                    storage.add_fresh(agent, survey.diversity, &genome);
+                    storage.add_fresh(agent, survey.diversity, self.genomes.add(&genome));
                 }
             }
         }
-        let own = &self.minds[agent as usize];
-        let best = breeder.breed(params, &mut rng, own, storage.entries(), &self.minds);
-        storage.clear();
-        let mind = &mut self.minds[agent as usize];
+        let own = self.offers[agent as usize];
+        let best = breeder.breed(params, &mut rng, &own, storage.entries(), &self.offers, &self.genomes);
         let winner = best.filter(|best| match params.swap_rule {
-            SwapRule::Greater => best.diversity > mind.diversity,
-            SwapRule::NotSmaller => best.diversity >= mind.diversity,
+            SwapRule::Greater => best.diversity > own.diversity,
+            SwapRule::NotSmaller => best.diversity >= own.diversity,
             SwapRule::Always => true,
         });
+        storage.clear(&mut self.genomes);
         if let Some(Best { genome, diversity }) = winner {
-            mind.genome.clone_from(genome);
-            mind.diversity = diversity;
-            if params.fitness == FitnessRule::Delayed || params.storage_value == StorageValue::Live {
-                mind.last = [mind.fitness, mind.last[0]];
-            }
             if params.learning_steps > 0 && params.population_form == PopulationForm::Archive {
-                self.archive.add(&mind.genome);
+                self.archive.add(genome);
             }
-            mind.take_up(&mut breeder.compiler, self.tick);
-            self.swaps += 1;
+            if params.fitness == FitnessRule::Delayed || params.storage_value == StorageValue::Live {
+                let mind = &mut self.minds[agent as usize];
+                mind.last = [own.fitness, mind.last[0]];
+            }
+            let genome = self.genomes.add(genome);
+            self.take_up(&mut breeder.compiler, agent, genome, diversity, self.tick);
         }
+        let mind = &mut self.minds[agent as usize];
         mind.storage = storage;
         mind.evolution = rng;
     }

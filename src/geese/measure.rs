@@ -36,7 +36,7 @@ impl Measure {
     pub fn of(world: &World) -> Self {
         let state = world.state();
         let agents = f64::from(world.params().agents);
-        let mean = |value: &dyn Fn(&super::mind::Mind) -> f64| state.minds.iter().map(value).sum::<f64>() / agents;
+        let mean = |value: &dyn Fn(&super::mind::Offer) -> f64| state.offers.iter().map(value).sum::<f64>() / agents;
         let (mut programs, mut actions, mut by_actions, mut inert) = (0_u32, 0_u32, [0.0; 4], 0);
         for group in state.by_program().chunk_by(|a, b| a.0 == b.0) {
             let controller = &state.minds[group[0].1 as usize].ran(state.tick).controller;
@@ -56,7 +56,7 @@ impl Measure {
         // A fixed population counts from its start.
         let before = if world.awaits_test() { 0 } else { world.params().learning_steps.min(state.tick) };
         let agent_steps = agents * f64::from(state.tick - before);
-        let swaps: f64 = state.minds.iter().map(|mind| f64::from(mind.swaps)).sum();
+        let swaps: f64 = state.offers.iter().map(|offer| f64::from(offer.swaps)).sum();
         Self {
             carrying: state.field.carried(),
             alive: state.alive,
@@ -65,9 +65,9 @@ impl Measure {
             actions: f64::from(actions) / f64::from(programs),
             by_actions: by_actions.map(|count| count / f64::from(programs)),
             inert: inert as f64 / agents,
-            diversity: mean(&|mind| mind.diversity),
-            fitness: mean(&|mind| mind.fitness),
-            genome_length: mean(&|mind| mind.genome.codons.len() as f64),
+            diversity: mean(&|offer| offer.diversity),
+            fitness: mean(&|offer| offer.fitness),
+            genome_length: mean(&|offer| state.genomes.get(offer.genome).codons.len() as f64),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! An agent's controller and all that evolution needs of it: genome, program, fitness and stored genomes.
 
-use super::controller::{Controller, Planted};
+use super::controller::Controller;
+use super::genomes::{GenomeId, Genomes};
 use super::leaf::{Leaf, Tag};
 use super::program::Compiler;
 use super::switches::{ExplorationRule, FeedbackRule};
@@ -36,23 +37,28 @@ impl Program {
     }
 }
 
-/// The controller of one agent.
-#[derive(Clone, Debug)]
-pub struct Mind {
+/// What others read of an agent that they meet: kept apart from the rest, so that those of a whole crowd lie close together.
+#[derive(Clone, Copy, Debug)]
+pub struct Offer {
     /// The genome of the program.
-    pub genome: Genome,
-    /// The program that will be ticked next.
-    pub program: Program,
-    /// The program before it; shown when it was replaced in the last step.
-    pub replaced: Program,
-    /// The step in which the program was taken up; 0 at the start.
-    pub since: u32,
+    pub genome: GenomeId,
     /// How many times the program was replaced.
     pub swaps: u32,
     /// Diversity D of the program.
     pub diversity: f64,
     /// Run-time fitness A.
     pub fitness: f64,
+}
+
+/// The controller of one agent.
+#[derive(Clone, Debug)]
+pub struct Mind {
+    /// The program that will be ticked next.
+    pub program: Program,
+    /// The program before it; shown when it was replaced in the last step.
+    pub replaced: Program,
+    /// The step in which the program was taken up; 0 at the start.
+    pub since: u32,
     /// The last fitness of the program before, and of the one before it; 0 unless something asks for them.
     pub last: [f64; 2],
     /// Feedback B of the last step.
@@ -71,13 +77,11 @@ pub struct Mind {
 
 impl Mind {
     /// Makes the genome, which the agent has just been given, its program from the next step on.
-    pub fn take_up(&mut self, compiler: &mut Compiler, tick: u32) {
-        self.fitness = 0.0;
+    pub fn take_up(&mut self, compiler: &mut Compiler, genome: &Genome, tick: u32) {
         self.visited.clear();
         self.since = tick;
-        self.swaps += 1;
         std::mem::swap(&mut self.program, &mut self.replaced);
-        let valid = compiler.compile(&self.genome.codons, &mut self.program.controller);
+        let valid = compiler.compile(&genome.codons, &mut self.program.controller);
         debug_assert!(valid.is_ok(), "the survey found the genome valid");
         self.program.renew();
     }
@@ -104,42 +108,23 @@ impl Mind {
         tick > 0 && self.since == tick
     }
 
-    /// Reads something of each part of the mind, to no end but that it is near when it is needed.
-    #[must_use]
-    pub fn draw_near(&self) -> u64 {
-        let first = self.visited.squares().first().map_or(0, |&square| u64::from(square));
-        let lengths = (self.genome.codons.len() ^ self.storage.filled) as u64;
-        self.program.id ^ self.diversity.to_bits() ^ self.last[1].to_bits() ^ first ^ lengths
-    }
-
-    /// As [`Mind::draw_near`], of what the mind points to.
-    #[must_use]
-    pub fn draw_nearer(&self) -> u32 {
-        let stored = self.storage.entries.get(self.storage.filled).map_or(0, |entry| entry.donor);
-        let Controller::Tree(Planted { tree, memory, trace }) = &self.program.controller else { return stored };
-        let last = tree.nodes().len() - 1;
-        [0, last].iter().fold(stored, |all, &at| {
-            all ^ tree.nodes()[at].end ^ memory.status(NodeId(at as u32)) as u32 ^ trace[at].tick
-        })
-    }
-
     /// Feeds everything that decides what the agent does next.
-    pub fn feed(&self, hash: &mut Fingerprint) {
-        self.genome.feed(hash);
+    pub fn feed(&self, offer: &Offer, genomes: &Genomes, hash: &mut Fingerprint) {
+        genomes.get(offer.genome).feed(hash);
         hash.u64(self.program.id);
         hash.u32(self.since);
-        hash.u32(self.swaps);
-        hash.f64(self.diversity);
-        hash.f64(self.fitness);
+        hash.u32(offer.swaps);
+        hash.f64(offer.diversity);
+        hash.f64(offer.fitness);
         if self.last.iter().any(|fitness| fitness.abs() > 0.0) {
             self.last.iter().for_each(|&fitness| hash.f64(fitness));
         }
         self.visited.squares().iter().for_each(|&square| hash.u32(square));
         for entry in self.storage.entries() {
-            hash.u64(u64::from(entry.donor) | u64::from(entry.program) << 32);
-            hash.f64(entry.fitness);
-            hash.f64(entry.diversity);
-            entry.genome.feed(hash);
+            hash.u64(u64::from(entry.donor) | u64::from(entry.program()) << 32);
+            hash.f64(entry.offer.fitness);
+            hash.f64(entry.offer.diversity);
+            genomes.get(entry.offer.genome).feed(hash);
         }
         hash.stream(&self.evolution);
         if let Controller::Machine(machine) = &self.program.controller {
@@ -149,87 +134,81 @@ impl Mind {
     }
 }
 
-/// A copy of another agent's genome, with what it was worth when it was taken.
-#[derive(Clone, Debug)]
+/// What another agent offered when it was met.
+#[derive(Clone, Copy, Debug)]
 pub struct Entry {
     /// Whose genome it is.
     pub donor: u32,
-    /// Which of the donor's programs it was, from 1 on, when its fitness is to be followed; otherwise 0.
-    pub program: u32,
-    /// Run-time fitness A of the donor.
-    pub fitness: f64,
-    /// Diversity D of the donor.
-    pub diversity: f64,
-    /// The genome.
-    pub genome: Genome,
+    /// Whether its fitness is to be followed.
+    pub live: bool,
+    /// The offer; its genome is held as long as the entry stands.
+    pub offer: Offer,
+}
+
+impl Entry {
+    /// Which of the donor's programs it was, from 1 on, when its fitness is followed; otherwise 0.
+    fn program(&self) -> u32 {
+        if self.live { self.offer.swaps + 1 } else { 0 }
+    }
 }
 
 /// The genomes an agent has collected: at most one of each donor, in the order of first arrival.
-///
-/// Emptied entries keep their memory for later ones.
 #[derive(Clone, Debug, Default)]
 pub struct Storage {
     entries: Vec<Entry>,
-    filled: usize,
 }
 
 impl Storage {
     /// What is stored.
     #[must_use]
     pub fn entries(&self) -> &[Entry] {
-        &self.entries[..self.filled]
+        &self.entries
     }
 
-    /// Stores a copy in place of the donor's older one, or (`again`) besides it.
+    /// Stores an offer in place of the donor's older one, or (`again`) besides it.
     ///
     /// - `live`: whether [`Storage::refresh`] is to follow its fitness.
-    pub fn store(&mut self, donor: u32, mind: &Mind, again: bool, live: bool) {
-        let older = self.entries().iter().position(|entry| !again && entry.donor == donor);
-        let program = if live { mind.swaps + 1 } else { 0 };
-        self.put(older.unwrap_or(self.filled), [donor, program], [mind.fitness, mind.diversity], &mind.genome);
+    pub fn store(&mut self, donor: u32, offer: &Offer, genomes: &mut Genomes, again: bool, live: bool) {
+        genomes.hold(offer.genome);
+        let entry = Entry { donor, live, offer: *offer };
+        match self.entries.iter_mut().find(|entry| !again && entry.donor == donor) {
+            Some(older) => genomes.release(std::mem::replace(older, entry).offer.genome),
+            None => self.entries.push(entry),
+        }
     }
 
     /// Adds a genome that is nobody's program, worth its diversity.
     ///
-    /// - `donor`: who drew it.
-    pub fn add_fresh(&mut self, donor: u32, diversity: f64, genome: &Genome) {
-        self.put(self.filled, [donor, 0], [diversity; 2], genome);
-    }
-
-    fn put(&mut self, at: usize, [donor, program]: [u32; 2], [fitness, diversity]: [f64; 2], genome: &Genome) {
-        self.filled = self.filled.max(at + 1);
-        if let Some(entry) = self.entries.get_mut(at) {
-            (entry.donor, entry.program, entry.fitness, entry.diversity) = (donor, program, fitness, diversity);
-            entry.genome.clone_from(genome);
-        } else {
-            self.entries.push(Entry { donor, program, fitness, diversity, genome: genome.clone() });
-        }
+    /// - `donor`: who drew it; `genome`: from now on held by the storage alone.
+    pub fn add_fresh(&mut self, donor: u32, diversity: f64, genome: GenomeId) {
+        let offer = Offer { genome, swaps: 0, diversity, fitness: diversity };
+        self.entries.push(Entry { donor, live: false, offer });
     }
 
     /// Brings the fitness of followed entries up to date: that of the donor while it runs the program, then its last.
     ///
     /// Called once in each turn of the owner; until the next, a donor replaces its program twice at most.
-    pub fn refresh(&mut self, minds: &[Mind]) {
-        for entry in self.entries[..self.filled].iter_mut().filter(|entry| entry.program > 0) {
-            let donor = &minds[entry.donor as usize];
-            match donor.swaps + 1 - entry.program {
-                0 => entry.fitness = donor.fitness,
-                1 => entry.fitness = donor.last[0],
-                2 => entry.fitness = donor.last[1],
+    pub fn refresh(&mut self, offers: &[Offer], minds: &[Mind]) {
+        for Entry { donor, offer, .. } in self.entries.iter_mut().filter(|entry| entry.live) {
+            let (now, last) = (&offers[*donor as usize], &minds[*donor as usize].last);
+            match now.swaps - offer.swaps {
+                0 => offer.fitness = now.fitness,
+                1 => offer.fitness = last[0],
+                2 => offer.fitness = last[1],
                 _ => {}
             }
         }
     }
 
     /// Empties the storage.
-    pub fn clear(&mut self) {
-        self.filled = 0;
+    pub fn clear(&mut self, genomes: &mut Genomes) {
+        self.entries.drain(..).for_each(|entry| genomes.release(entry.offer.genome));
     }
 
     /// Bytes on the heap.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.entries.iter().map(|entry| size_of::<Entry>() + entry.genome.codons.capacity() * 2).sum()
+        self.entries.len() * size_of::<Entry>()
     }
 }
 

@@ -9,6 +9,7 @@
 //! Where the paper is silent, the choice stands in the doc comment of the code that makes it and in the `source` of
 //! the parameter that changes it. `profiles.rs` sets the paper's text beside the authors' published code, row by row.
 
+mod ahead;
 mod archive;
 mod body;
 mod breeding;
@@ -19,6 +20,7 @@ mod derive;
 mod export;
 mod field;
 mod frame;
+mod genomes;
 mod grammars;
 mod grid;
 mod inspect;

@@ -2,11 +2,11 @@
 
 use super::controller::Controller;
 use super::leaf::Leaf;
-use super::mind::Mind;
+use super::mind::Offer;
 use super::params::{Params, PopulationForm};
 use super::program::{Compiler, placeholder};
 use super::switches::PopulationPool;
-use super::world::World;
+use super::world::{State, World};
 use crate::bt::{Builder, Kind, NodeId, Tree};
 use crate::evolution::Genome;
 use crate::random::{Purpose, Seed, stream};
@@ -37,16 +37,15 @@ impl Population {
     /// The population of a world as it stands.
     #[must_use]
     pub fn of(world: &World) -> Self {
-        Self::of_minds(&world.state().minds)
+        Self::of_state(world.state())
     }
 
-    pub(super) fn of_minds(minds: &[Mind]) -> Self {
-        Self {
-            members: minds
-                .iter()
-                .map(|mind| Member { fitness: millionths(mind.fitness), genome: mind.genome.codons.clone() })
-                .collect(),
-        }
+    pub(super) fn of_state(state: &State) -> Self {
+        let member = |offer: &Offer| Member {
+            fitness: millionths(offer.fitness),
+            genome: state.genomes.get(offer.genome).codons.clone(),
+        };
+        Self { members: state.offers.iter().map(member).collect() }
     }
 
     /// The text of a population file.

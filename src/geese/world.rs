@@ -1,11 +1,13 @@
 //! The world: a swarm that forages while every agent evolves its own program.
 
+use super::ahead::reads_ahead;
 use super::archive::Archive;
 use super::body::{Actor, Body};
 use super::breeding::Breeder;
 use super::controller::{Controller, Planted};
 use super::field::Field;
-use super::mind::{Feedback, Mind, Program, Storage};
+use super::genomes::{GenomeId, Genomes};
+use super::mind::{Feedback, Mind, Offer, Program, Storage};
 use super::near::Near;
 use super::outcome::{Finished, Outcome, Sample};
 use super::params::{Activation, Params, PopulationForm, Task};
@@ -13,12 +15,11 @@ use super::population::{Deal, Dealt, Known, Population};
 use super::program::{Compiler, Sentences};
 use super::switches::{ExplorationRule, FitnessRule};
 use super::visited::Visited;
-use crate::bt::{Status, tick_once};
+use crate::bt::tick_instant;
 use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, chance, stream};
 use rand::RngExt;
-use std::hint::black_box;
 use std::sync::Arc;
 
 /// Steps between two samples of the history.
@@ -41,6 +42,9 @@ pub struct State {
     pub(super) field: Field,
     pub(super) bodies: Vec<Body>,
     pub(super) minds: Vec<Mind>,
+    /// What each agent offers to those it meets.
+    pub(super) offers: Vec<Offer>,
+    pub(super) genomes: Genomes,
     /// Whether programs evolve.
     learning: bool,
     /// The programs of a fixed population that runs them in turns.
@@ -48,7 +52,7 @@ pub struct State {
     /// What was taken up so far; grows only when it will be asked for.
     pub(super) archive: Archive,
     activation: Stream,
-    order: Vec<u32>,
+    pub(super) order: Vec<u32>,
     /// Agents that have touched no trap.
     pub(super) alive: u32,
     /// Programs replaced in the last step.
@@ -85,21 +89,24 @@ impl World {
                 population.deal(params, seed, &mut breeder.compiler).map_err(|message| ("population", message))?;
             (dealt, turns) = (deal.agents, deal.turns);
         }
-        let mut dealt = dealt.into_iter();
-        let minds = agents
+        let (mut dealt, mut genomes) = (dealt.into_iter(), Genomes::default());
+        let born = agents
             .map(|id| {
-                new_mind(&mut breeder, params, seed, id, dealt.next()).ok_or_else(|| {
+                new_mind(&mut breeder, params, seed, id, dealt.next(), &mut genomes).ok_or_else(|| {
                     let message = "expected a grammar of which random genomes give programs, \
                                    found one that gave none in 100,000 draws (try a greater max-depth)";
                     ("grammar", message.to_owned())
                 })
             })
-            .collect::<Result<_, _>>()?;
+            .collect::<Result<Vec<_>, _>>()?;
+        let (minds, offers) = born.into_iter().unzip();
         let mut state = State {
             tick: 0,
             bodies: bodies(params, &field, seed),
             field,
             minds,
+            offers,
+            genomes,
             learning: params.evolution,
             turns: turns.into(),
             archive: Archive::new(seed),
@@ -190,9 +197,12 @@ impl World {
                 }
             }
         }
+        let reads_ahead = reads_ahead(state.order.len());
         for turn in 0..state.order.len() {
             let agent = state.order[turn];
-            state.draw_near(turn);
+            if reads_ahead {
+                state.read_ahead(turn, params.sense_radius);
+            }
             if !state.bodies[agent as usize].alive {
                 continue;
             }
@@ -221,7 +231,7 @@ impl World {
         let seed = seed.of_restart(Purpose::Settlement);
         let archived =
             if params.population_form == PopulationForm::Archive { state.archive.population() } else { None };
-        let population = archived.unwrap_or_else(|| Population::of_minds(&state.minds));
+        let population = archived.unwrap_or_else(|| Population::of_state(state));
         let (Ok(field), Ok(Deal { agents: dealt, turns })) =
             (Field::new(params, seed), population.deal(params, seed, &mut breeder.compiler))
         else {
@@ -232,8 +242,12 @@ impl World {
         (state.bodies, state.alive) = (bodies(params, &field, seed), params.agents);
         state.field = field;
         for (id, dealt) in (0..).zip(dealt) {
-            if let Some(mind) = new_mind(breeder, params, seed, id, Some(dealt)) {
-                state.minds[id as usize] = Mind { since: state.tick, ..mind };
+            let formerly = &mut state.minds[id as usize];
+            if let Some((mind, offer)) = new_mind(breeder, params, seed, id, Some(dealt), &mut state.genomes) {
+                formerly.storage.clear(&mut state.genomes);
+                *formerly = Mind { since: state.tick, ..mind };
+                let former = std::mem::replace(&mut state.offers[id as usize], offer);
+                state.genomes.release(former.genome);
             }
         }
     }
@@ -251,7 +265,7 @@ impl World {
         for (id, (body, mind)) in state.bodies.iter().zip(&state.minds).enumerate() {
             state.field.agents.point(id as u32).iter().for_each(|&value| hash.f64(value));
             body.feed(&mut hash);
-            mind.feed(&mut hash);
+            mind.feed(&state.offers[id], &state.genomes, &mut hash);
         }
         hash.finish()
     }
@@ -262,7 +276,14 @@ fn bodies(params: &Params, field: &Field, seed: Seed) -> Vec<Body> {
 }
 
 /// A mind with a random program, or with one of a saved population.
-fn new_mind(breeder: &mut Breeder, params: &Params, seed: Seed, id: u32, dealt: Option<Dealt>) -> Option<Mind> {
+fn new_mind(
+    breeder: &mut Breeder,
+    params: &Params,
+    seed: Seed,
+    id: u32,
+    dealt: Option<Dealt>,
+    genomes: &mut Genomes,
+) -> Option<(Mind, Offer)> {
     let [mut genesis, evolution, luck] =
         [Purpose::Genesis, Purpose::Evolution, Purpose::Luck].map(|purpose| stream(seed, purpose, id));
     let mut genome = Genome::default();
@@ -277,14 +298,11 @@ fn new_mind(breeder: &mut Breeder, params: &Params, seed: Seed, id: u32, dealt: 
         survey
     };
     program.renew();
-    Some(Mind {
-        genome,
+    let offer = Offer { genome: genomes.add(&genome), swaps: 0, diversity: survey.diversity, fitness: 0.0 };
+    let mind = Mind {
         replaced: program.clone(),
         program,
         since: 0,
-        swaps: 0,
-        diversity: survey.diversity,
-        fitness: 0.0,
         last: [0.0; 2],
         feedback: 0,
         task: 0,
@@ -292,7 +310,8 @@ fn new_mind(breeder: &mut Breeder, params: &Params, seed: Seed, id: u32, dealt: 
         storage: Storage::default(),
         evolution,
         luck,
-    })
+    };
+    Some((mind, offer))
 }
 
 impl State {
@@ -316,18 +335,18 @@ impl State {
     /// paper gives no formula); task fitness counts the items that the whole swarm has brought where they belong. The
     /// authors' code adds a tenth of the last fitness of the program before, in place of the sum so far.
     fn tick_program(&mut self, params: &Params, agent: u32) {
-        let mind = &mut self.minds[agent as usize];
+        let (mind, offer) = (&mut self.minds[agent as usize], &mut self.offers[agent as usize]);
         let mut actor = Actor::new(params, &mut self.field, &mut self.bodies[agent as usize], agent);
         mind.feedback = match &mut mind.program.controller {
-            Controller::Tree(Planted { tree, memory, trace }) => {
+            Controller::Tree(Planted { tree, trace }) => {
                 let mut feedback = Feedback::new(tree, trace, self.tick, params.bt_feedback);
-                let ticked = tick_once(tree, memory, &mut actor, &mut feedback);
-                debug_assert!(ticked.is_ok(), "evolved trees have no node whose tick can fail");
+                let ticked = tick_instant(tree, |leaf| actor.act(*leaf), &mut feedback);
+                debug_assert!(ticked.is_ok(), "evolved trees have no node that needs a memory");
                 feedback.sum
             }
             // A machine has no nodes whose statuses could count.
             Controller::Machine(machine) => {
-                machine.step(|leaf| actor.act(leaf) == Status::Success, &mut mind.luck, self.tick);
+                machine.step(|leaf| actor.act(leaf), &mut mind.luck, self.tick);
                 0
             }
         };
@@ -339,7 +358,7 @@ impl State {
         }
         let carrying = self.bodies[agent as usize].load.is_some();
         let types = [
-            (params.fitness_diversity, mind.diversity),
+            (params.fitness_diversity, offer.diversity),
             (params.fitness_exploration, f64::from(mind.exploration(params.exploration))),
             (params.fitness_feedback, f64::from(mind.feedback)),
             (params.fitness_prospective, f64::from(u8::from(carrying))),
@@ -347,23 +366,10 @@ impl State {
         ];
         let sum: f64 = types.iter().map(|(counts, value)| if *counts { *value } else { 0.0 }).sum();
         let remembered = match params.fitness {
-            FitnessRule::Recurrence => mind.fitness,
+            FitnessRule::Recurrence => offer.fitness,
             FitnessRule::Delayed => mind.last[0],
         };
-        mind.fitness = params.fitness_memory * remembered + sum;
-    }
-
-    /// Touches what the next agents will need. In a crowd that is nowhere near the processor, and one agent after the other
-    /// would wait for it piece by piece: read ahead, the pieces arrive together while the present agent acts.
-    fn draw_near(&self, turn: usize) {
-        if let Some(&agent) = self.order.get(turn + 3) {
-            let (body, mind) = (&self.bodies[agent as usize], &self.minds[agent as usize]);
-            let place = self.field.agents.point(agent);
-            black_box(u64::from(body.alive) ^ mind.draw_near() ^ place[0].to_bits());
-        }
-        if let Some(&agent) = self.order.get(turn + 1) {
-            black_box(self.minds[agent as usize].draw_nearer());
-        }
+        offer.fitness = params.fitness_memory * remembered + sum;
     }
 
     /// Gives the agent another program of the fixed population, once in a while.
@@ -372,12 +378,21 @@ impl State {
         if chance(&mut mind.evolution, 1.0 / params.dwell) {
             let Known { genome, diversity } =
                 &self.turns[mind.evolution.random_range(0..self.turns.len() as u32) as usize];
-            mind.genome.clone_from(genome);
-            mind.diversity = *diversity;
+            let (genome, diversity) = (self.genomes.add(genome), *diversity);
             // As if at the end of the step before: it is ticked in this one.
-            mind.take_up(&mut breeder.compiler, self.tick - 1);
-            self.swaps += 1;
+            self.take_up(&mut breeder.compiler, agent, genome, diversity, self.tick - 1);
         }
+    }
+
+    /// Makes a genome the agent's, and from the next step on its program.
+    ///
+    /// - `genome`: from now on held by the agent.
+    pub(super) fn take_up(&mut self, compiler: &mut Compiler, agent: u32, genome: GenomeId, diversity: f64, tick: u32) {
+        self.swaps += 1;
+        let offer = &mut self.offers[agent as usize];
+        self.genomes.release(offer.genome);
+        *offer = Offer { genome, swaps: offer.swaps + 1, diversity, fitness: 0.0 };
+        self.minds[agent as usize].take_up(compiler, self.genomes.get(genome), tick);
     }
 
     /// Each agent with the id of the program it ran in the last step, agents of one program side by side.
@@ -413,6 +428,8 @@ impl State {
             size_of::<Mind>() + size_of::<Body>() + mind.visited.bytes() + mind.storage.bytes() + programs + 256
         };
         self.minds.iter().map(mind).sum::<usize>()
+            + self.offers.len() * size_of::<Offer>()
+            + self.genomes.bytes()
             + self.archive.bytes()
             + self.history.len() * size_of::<Sample>()
             + 8192

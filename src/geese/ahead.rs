@@ -1,0 +1,77 @@
+//! Reading ahead in the memory, so that what agents need is near the processor when their turn comes.
+//!
+//! In a crowd nothing of an agent is near when its turn comes, and one piece after the other would be waited for. The order
+//! of the turns is known, so the pieces of later agents are called for while the present one acts: first what lies in the
+//! arrays, and when that has come, what it points to. Nothing but the time depends on it.
+
+use super::body::Body;
+use super::controller::{Controller, Planted};
+use super::mind::Mind;
+use super::world::State;
+
+/// From so many agents on, their states are more than the near memories of usual processors hold.
+const CROWD: usize = 500;
+
+/// How many turns ahead each piece is called for.
+const ARRAYS: usize = 9;
+const POINTED: usize = 6;
+const AROUND: usize = 3;
+
+/// Whether so many agents are worth it. WebAssembly has no instruction to call for memory.
+pub fn reads_ahead(agents: usize) -> bool {
+    cfg!(not(target_arch = "wasm32")) && agents >= CROWD
+}
+
+/// Calls for a value; it is not read.
+#[inline]
+pub fn call_for<T>(value: &T) {
+    call_for_place(std::slice::from_ref(value), 0);
+}
+
+/// Calls for a place of a list, which may be beyond its end.
+#[inline]
+pub fn call_for_place<T>(list: &[T], place: usize) {
+    #[cfg(not(target_arch = "wasm32"))]
+    prefetch_index::prefetch_index(list, place);
+    #[cfg(target_arch = "wasm32")]
+    let _ = (list, place);
+}
+
+impl State {
+    /// Calls for what the agents after that turn will need.
+    ///
+    /// - `radius`: within which they sense.
+    #[inline(never)]
+    pub(super) fn read_ahead(&self, turn: usize, radius: f64) {
+        if let Some(&agent) = self.order.get(turn + ARRAYS) {
+            let Body { heading, last_action, .. } = &self.bodies[agent as usize];
+            call_for(heading);
+            call_for(last_action);
+            call_for_place(&self.offers, agent as usize);
+            self.field.agents.call_for(agent);
+            let Mind { program, storage, since, evolution, visited, .. } = &self.minds[agent as usize];
+            call_for(&program.controller);
+            call_for(&program.id);
+            call_for(storage);
+            call_for(since);
+            call_for(evolution);
+            visited.call_for();
+        }
+        if let Some(&agent) = self.order.get(turn + POINTED) {
+            let mind = &self.minds[agent as usize];
+            if let Controller::Tree(Planted { tree, trace }) = &mind.program.controller {
+                (0..tree.nodes().len()).step_by(2).for_each(|node| call_for_place(tree.nodes(), node));
+                (0..trace.len()).step_by(8).for_each(|node| call_for_place(trace, node));
+            }
+            let entries = mind.storage.entries();
+            (0..=entries.len()).step_by(2).for_each(|entry| call_for_place(entries, entry));
+            let place = self.field.agents.point(agent);
+            self.field.agents.call_for_cells(place, radius);
+            self.field.items.call_for_cells(place, radius);
+        }
+        if let Some(&agent) = self.order.get(turn + AROUND) {
+            let place = self.field.agents.point(agent);
+            self.field.agents.call_for_near(place, radius);
+        }
+    }
+}

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BufferSource, EncodedPacketSink, Input } from 'mediabunny';
+import { documentOf, openBench } from './bench.mjs';
 import { SHORT, openSoccer } from './pitch.mjs';
 import { openPlan } from './plan.mjs';
 import { linkTo, openStudy } from './studies.mjs';
@@ -39,8 +40,8 @@ async function watch(bytes) {
   return { width: track.displayWidth, height: track.displayHeight, times };
 }
 
-/** @param {number[]} times */
-const assertEven = (times) => times.forEach((time, at) => assert.ok(Math.abs(time - at / 30) < 0.0006, `picture ${at} at ${time} s`)); // a container counts in milliseconds
+/** @param {number[]} times @param {number} [rate] pictures a second */
+const assertEven = (times, rate = 30) => times.forEach((time, at) => assert.ok(Math.abs(time - at / rate) < 0.0006, `picture ${at} at ${time} s`)); // a container counts in milliseconds
 
 /**
  * Shades of a picture as a browser shows it, of 24 x 18 spots. The page holds the decoder.
@@ -59,6 +60,35 @@ const shades = (page, bytes, time) =>
       const found = await new CanvasSink(track, { width: 24, height: 18, fit: 'fill' }).getCanvas(at);
       const context = /** @type {OffscreenCanvasRenderingContext2D} */ (found?.canvas.getContext('2d'));
       return [...context.getImageData(0, 0, 24, 18).data];
+    },
+    /** @type {[string, number]} */ ([bytes.toString('base64'), time]),
+  );
+
+/**
+ * How many spots of a picture have about the colour of a status in the light theme. The page holds the decoder.
+ *
+ * @param {import('playwright-core').Page} page
+ * @param {Buffer} bytes
+ * @param {number} time seconds
+ */
+const statuses = (page, bytes, time) =>
+  page.evaluate(
+    async ([base64, at]) => {
+      const { ALL_FORMATS, BufferSource, CanvasSink, Input } = /** @type {typeof import('mediabunny')} */ (/** @type {any} */ (globalThis).Mediabunny);
+      const source = new BufferSource(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)));
+      const track = await new Input({ formats: ALL_FORMATS, source }).getPrimaryVideoTrack();
+      const found = track && (await new CanvasSink(track).getCanvas(at));
+      if (!found) return null;
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (found.canvas.getContext('2d'));
+      const { data } = context.getImageData(0, 0, found.canvas.width, found.canvas.height);
+      const counts = { success: 0, failure: 0, running: 0 };
+      for (let spot = 0; spot < data.length; spot += 4) {
+        const near = (/** @type {number[]} */ colour) => Math.hypot(...colour.map((part, index) => part - data[spot + index])) < 50;
+        if (near([0, 158, 115])) counts.success += 1;
+        else if (near([213, 94, 0])) counts.failure += 1;
+        else if (near([230, 159, 0])) counts.running += 1;
+      }
+      return counts;
     },
     /** @type {[string, number]} */ ([bytes.toString('base64'), time]),
   );
@@ -182,6 +212,54 @@ export const cases = [
       await none.notice(/There is no plan/);
       assert.deepEqual(plan.problems.concat(none.problems), []);
       return name;
+    },
+  ],
+  [
+    'a_film_of_a_tree_has_a_picture_for_every_tick_in_the_colours_of_the_statuses',
+    async (open) => {
+      const bench = await openBench(open, '#/trees?preset=retry', { acceptDownloads: true, bypassCSP: true });
+      const { page } = bench;
+      const before = await bench.seek(3);
+      const dialog = await openFilm(page);
+      assert.deepEqual([await dialog.getByLabel('From tick').inputValue(), await dialog.getByLabel('To tick').inputValue()], ['0', '8'], 'the ticks that are known');
+      await page.locator('#video-extent').filter({ hasText: '9 pictures, 4.5 s at 2 pictures a second' }).waitFor();
+      await dialog.getByLabel('To tick').fill('100001');
+      await page.locator('#video-extent').filter({ hasText: /^Expected whole ticks from 0 to 100000, the first not after the last\.$/ }).waitFor();
+      assert.ok(await dialog.getByRole('button', { name: 'Film', exact: true }).isDisabled());
+      await dialog.getByRole('button', { name: 'Close' }).click();
+      const { name, bytes } = await film(bench, { 'To tick': '10', Speed: '4' });
+      assert.match(name, /^retry-0-to-10\.(mp4|webm)$/);
+      const { width, height, times } = await watch(bytes);
+      assert.deepEqual([width, height % 2, times.length], [480, 0, 11]);
+      assertEven(times, 4);
+      await bench.notice(/Saved retry-0-to-10.*11 pictures/);
+      await page.addScriptTag({ path: 'node_modules/mediabunny/dist/bundles/mediabunny.min.cjs' });
+      const [none, first, fourth] = [await statuses(page, bytes, 0), await statuses(page, bytes, 0.25), await statuses(page, bytes, 1)];
+      assert.ok(none && first && fourth);
+      assert.deepEqual(none, { success: 0, failure: 0, running: 0 }, 'before the first tick nothing has returned');
+      assert.ok(first.failure > 20 && first.running > 20, `PushDoor fails, Enter and help run: ${JSON.stringify(first)}`);
+      assert.ok(fourth.failure > 20 && fourth.running < first.running, `Enter fails: ${JSON.stringify(fourth)}`);
+      const again = await film(bench, { 'To tick': '10', Speed: '4' });
+      assert.deepEqual(await statuses(page, again.bytes, 1), fourth, 'the same picture again');
+      assert.equal(await bench.at(3), before, 'the run on screen stays as it was');
+      assert.deepEqual(bench.said(), []);
+      return name;
+    },
+  ],
+  [
+    'no_film_is_made_of_a_comparison_or_of_a_tree_that_cannot_run',
+    async (open) => {
+      const compared = await openBench(open, '#/trees');
+      await compared.page.locator('.compare:not([hidden])').waitFor();
+      await compared.page.locator('#trees .foot').getByRole('button', { name: 'Video', exact: true }).click();
+      await compared.notice(/Leave the comparison first/);
+      const bench = await openBench(open, '#/trees?preset=retry');
+      await bench.type(documentOf('<Own><Near/></Own>', '<Control ID="Own"/><Condition ID="Near"/>'));
+      await bench.page.locator('#trees .watch').filter({ hasText: 'can be shown but not run' }).waitFor();
+      await bench.page.locator('#trees .foot').getByRole('button', { name: 'Video', exact: true }).click();
+      await bench.notice(/cannot be run, so there is nothing to film/);
+      assert.equal(await bench.page.locator('.video-dialog').count(), 0);
+      assert.deepEqual(compared.said().concat(bench.said()), []);
     },
   ],
   [

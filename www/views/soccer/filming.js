@@ -11,6 +11,7 @@ import { isGoal } from './marks.js';
 
 const REAL = TICKS_PER_SECOND / FRAMES_PER_SECOND; // ticks per picture at real time
 const SPEEDS = [0.5, 1, 2, 4, 8, 16].map((factor) => ({ every: factor * REAL, label: videoText.speed(factor) }));
+const USUAL = 1; // real time
 const NEXT_SECONDS = 30;
 const GOAL = { before: 6, after: 2 }; // seconds around a goal
 const WIDTHS = [480, 720, 1080, 1440];
@@ -45,7 +46,7 @@ export function filmMatch({ match, tick, ground, width, height, paint, stem, say
       proposed: next,
       stretches,
       speeds: SPEEDS,
-      every: REAL,
+      speed: USUAL,
       sizes: WIDTHS.map((pixels) => ({ width: pixels, height: 2 * Math.round((pixels * height) / width / 2) })),
       size: 1,
       stem,

@@ -18,12 +18,11 @@ async function openFilm(page) {
 async function film({ page }, fields, stretch) {
   const dialog = await openFilm(page);
   if (stretch) await dialog.getByRole('button', { name: stretch }).click();
-  for (const [label, value] of Object.entries(fields)) {
+  for (const [label, value] of Object.entries({ Pixels: '480', ...fields })) {
     const field = dialog.getByLabel(label);
     if (await field.evaluate((element) => element.matches('select'))) await field.selectOption(value);
     else await field.fill(value);
   }
-  await dialog.getByLabel('Pixels').selectOption('480');
   const waiting = page.waitForEvent('download');
   await dialog.getByRole('button', { name: 'Film', exact: true }).click();
   const download = await waiting;
@@ -44,24 +43,24 @@ async function watch(bytes) {
 const assertEven = (times, rate = 30) => times.forEach((time, at) => assert.ok(Math.abs(time - at / rate) < 0.0006, `picture ${at} at ${time} s`)); // a container counts in milliseconds
 
 /**
- * Shades of a picture as a browser shows it, of 24 x 18 spots. The page holds the decoder.
+ * Shades of a picture as a browser shows it, of so many spots. The page holds the decoder.
  *
  * @param {import('playwright-core').Page} page
  * @param {Buffer} bytes
  * @param {number} time seconds
  */
-const shades = (page, bytes, time) =>
+const shades = (page, bytes, time, width = 24, height = 18) =>
   page.evaluate(
-    async ([base64, at]) => {
+    async ([base64, at, across, down]) => {
       const { ALL_FORMATS, BufferSource, CanvasSink, Input } = /** @type {typeof import('mediabunny')} */ (/** @type {any} */ (globalThis).Mediabunny);
       const source = new BufferSource(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)));
       const track = await new Input({ formats: ALL_FORMATS, source }).getPrimaryVideoTrack();
       if (!track) return [];
-      const found = await new CanvasSink(track, { width: 24, height: 18, fit: 'fill' }).getCanvas(at);
+      const found = await new CanvasSink(track, { width: across, height: down, fit: 'fill' }).getCanvas(at);
       const context = /** @type {OffscreenCanvasRenderingContext2D} */ (found?.canvas.getContext('2d'));
-      return [...context.getImageData(0, 0, 24, 18).data];
+      return [...context.getImageData(0, 0, across, down).data];
     },
-    /** @type {[string, number]} */ ([bytes.toString('base64'), time]),
+    /** @type {[string, number, number, number]} */ ([bytes.toString('base64'), time, width, height]),
   );
 
 /**
@@ -92,6 +91,15 @@ const statuses = (page, bytes, time) =>
     },
     /** @type {[string, number]} */ ([bytes.toString('base64'), time]),
   );
+
+/** Whether the pitches in the left and the right half of a picture look alike. @param {import('playwright-core').Page} page @param {Buffer} bytes @param {number} time */
+async function halvesEqual(page, bytes, time) {
+  const spots = await shades(page, bytes, time, 90, 40); // half of it is 45 wide, of which the gap takes one
+  const shade = (/** @type {number} */ x, /** @type {number} */ y) => spots[4 * (90 * y + x)];
+  let apart = 0;
+  for (let y = 0; y < 32; y += 1) for (let x = 0; x < 44; x += 1) if (Math.abs(shade(x, y) - shade(x + 46, y)) > 40) apart += 1;
+  return apart < 3;
+}
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -190,6 +198,49 @@ export const cases = [
       assert.equal(times.length, 20); // 600 ticks, 32 per picture: 19, and the last
       assertEven(times);
       await soccer.whole();
+      assert.deepEqual(soccer.problems, []);
+    },
+  ],
+  [
+    'a_film_beside_shows_both_pitches_with_coaches_and_scores_at_the_same_moments',
+    async (open) => {
+      const soccer = await openSoccer(open, SHORT.replace('seconds=20', 'seconds=60'), { acceptDownloads: true, bypassCSP: true });
+      const { page } = soccer;
+      await page.addScriptTag({ path: 'node_modules/mediabunny/dist/bundles/mediabunny.min.cjs' });
+      const said = page.locator('#soccer-compare').filter({ hasText: 'At full time' });
+      /** @type {() => Promise<string[]>} */
+      const written = () => page.evaluate(() => (/** @type {any} */ (globalThis).written ??= []).splice(0));
+      await page.evaluate(() => {
+        const { fillText } = CanvasRenderingContext2D.prototype;
+        CanvasRenderingContext2D.prototype.fillText = function (words, ...place) {
+          /** @type {any} */ ((globalThis).written ??= []).push(words);
+          fillText.call(this, words, ...place);
+        };
+      });
+      await page.getByRole('button', { name: 'A | B' }).click();
+      await said.waitFor();
+      const [same, differs] = [[], []];
+      for (const [other, found] of /** @type {[string, boolean[]][]} */ ([['tree', same], ['chase', differs]])) {
+        await page.locator('#soccer-other').selectOption(other);
+        await page.locator('#soccer .soccer-side .side-name').nth(1).filter({ hasText: other === 'tree' ? 'tree against machine' : 'two chasers against machine' }).waitFor();
+        await said.waitFor();
+        await written();
+        const { name, bytes } = await film(soccer, { Speed: '32', Pixels: '720' }, 'Whole match');
+        assert.match(name, /^match-seed3-a-b-0-to-120s\.(mp4|webm)$/);
+        const { width, height, times } = await watch(bytes);
+        assert.deepEqual([width, height, times.length], [720, 318, 226]); // 7200 ticks, 32 per picture, and the last
+        assertEven(times);
+        for (const time of [0, 2, 5]) found.push(await halvesEqual(page, bytes, time));
+        const words = await written();
+        const [, ...goals] = /A ends (\d+) : (\d+) and B (\d+) : (\d+)/.exec((await said.textContent()) ?? '') ?? [];
+        const [a, b] = ['A', 'B'].map((letter) => words.filter((each) => each.startsWith(`${letter}: `)));
+        assert.deepEqual([a.length, b.length], [226, 226], 'both in every picture');
+        assert.equal(a.at(-1), `A: tree (blue) ${goals[0]} : ${goals[1]} machine (yellow)`);
+        assert.equal(b.at(-1), `B: ${other === 'tree' ? 'tree' : 'two chasers'} (blue) ${goals[2]} : ${goals[3]} machine (yellow)`);
+        assert.equal(a[0].replace(/\d+ : \d+/, '0 : 0'), a[0], 'before the kick-off');
+      }
+      assert.deepEqual(same, [true, true, true], 'one coach: the same picture twice');
+      assert.deepEqual(differs, [true, false, false], 'another coach: the same kick-off only');
       assert.deepEqual(soccer.problems, []);
     },
   ],

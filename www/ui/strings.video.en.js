@@ -4,6 +4,7 @@ export const videoText = {
   about: {
     forage: 'Every picture is a tick that was computed for it, so the film runs evenly on any computer. The run on screen stays as it is.',
     soccer: 'Every picture is a computed moment of the match, so the film runs evenly on any computer. The waits of the referee are left out.',
+    beside: 'A on the left and B on the right, at the same moments. Every picture is computed, so the film runs evenly on any computer. The waits of the referee are left out.',
     sequence: 'The plan on screen, carried out from its start. Every picture is a step of it, so the film runs evenly on any computer.',
     trees: 'Every picture is a tick of this tree, drawn as it is on screen: whole, with its folds and its direction. The run on screen stays as it is.',
   },
@@ -40,7 +41,7 @@ export const videoText = {
   progress: 'Pictures made',
   done: (/** @type {number} */ done, /** @type {number} */ all) => `${done} of ${all} pictures`,
   stopped: 'Stopped. Nothing was saved.',
-  changed: 'the match is another one now',
+  changed: 'what is filmed is another match now',
   saved: (/** @type {string} */ name, /** @type {number} */ frames, /** @type {string} */ codec) => `Saved ${name}: ${frames} pictures, ${codec}.`,
   failed: (/** @type {string} */ why) => `The film could not be made: ${why}`,
   noEncoder: 'This browser cannot encode video: it lacks WebCodecs, or an encoder for this size. Current Chromium, Firefox and Safari on a desktop can; PNG and SVG pictures work here.',

@@ -4,7 +4,7 @@ import { ASPECT, drawMatch } from '../../draw/soccer.js';
 
 const GAP = 20;
 const SIDE = 440; // width of one pitch
-const EDGE = 12; // left of the words
+const EDGE = 12; // on both sides of the words
 const LINES = [22, 42]; // base lines of the words, below the pitch
 const PITCH = Math.round(SIDE / ASPECT);
 
@@ -27,11 +27,11 @@ export function paintBoth(context, halves, theme) {
     if (scene) drawMatch(context, { ...scene, width: SIDE, height: PITCH }, theme);
     context.textAlign = 'start';
     context.fillStyle = theme.ink;
-    context.font = `600 15px ${theme.font}`;
-    context.fillText(score, EDGE, PITCH + LINES[0], SIDE - EDGE); // long names are drawn narrower
+    context.font = `600 14px ${theme.font}`;
+    context.fillText(score, EDGE, PITCH + LINES[0], SIDE - 2 * EDGE); // long names are drawn narrower
     context.fillStyle = theme.secondary;
     context.font = `13px ${theme.font}`;
-    context.fillText(time, EDGE, PITCH + LINES[1], SIDE - EDGE);
+    context.fillText(time, EDGE, PITCH + LINES[1], SIDE - 2 * EDGE);
     context.restore();
   });
 }

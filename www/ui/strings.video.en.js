@@ -32,7 +32,7 @@ export const videoText = {
   speed: (/** @type {number} */ factor) => `${factor} × real time`,
   rate: (/** @type {number} */ ticks) => `${ticks} ${ticks === 1 ? 'tick' : 'ticks'}/s`,
   tick: (/** @type {number} */ tick) => `Tick ${tick}`,
-  tree: (/** @type {string} */ said, /** @type {string} */ title) => `${said}. ${title}`.replace('..', '.'),
+  tree: (/** @type {string} */ said, /** @type {string} */ title) => `${said.replace(/\.$/, '')}. ${title}`,
   size: 'Pixels',
   extent: (/** @type {number} */ frames, /** @type {string} */ seconds, /** @type {number} */ rate) => `${frames} pictures, ${seconds} s at ${rate === 1 ? '1 picture' : `${rate} pictures`} a second.`,
   tooLong: (/** @type {number} */ frames, /** @type {number} */ most) => `${frames} pictures are too many to hold at once: at most ${most}. Take a shorter stretch, or more of it per picture.`,

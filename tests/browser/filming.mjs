@@ -237,7 +237,7 @@ export const cases = [
         assert.deepEqual([a.length, b.length], [226, 226], 'both in every picture');
         assert.equal(a.at(-1), `A: tree (blue) ${goals[0]} : ${goals[1]} machine (yellow)`);
         assert.equal(b.at(-1), `B: ${other === 'tree' ? 'tree' : 'two chasers'} (blue) ${goals[2]} : ${goals[3]} machine (yellow)`);
-        assert.equal(a[0].replace(/\d+ : \d+/, '0 : 0'), a[0], 'before the kick-off');
+        assert.match(a[0], / 0 : 0 /, 'at the kick-off');
       }
       assert.deepEqual(same, [true, true, true], 'one coach: the same picture twice');
       assert.deepEqual(differs, [true, false, false], 'another coach: the same kick-off only');

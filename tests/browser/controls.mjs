@@ -10,8 +10,39 @@ async function type(page, control, value) {
   await box.press('Enter');
 }
 
+/** Words of labels that stand on two lines, each with its label. @param {import('playwright-core').Page} page */
+const brokenWords = (page) =>
+  page.locator('.page-tab:not([hidden]) .controls-pane :is(label, .control-name)').evaluateAll((labels) =>
+    labels.flatMap((label) => {
+      const found = [];
+      const texts = document.createTreeWalker(label, NodeFilter.SHOW_TEXT);
+      for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+        for (const { 0: word, index } of (text.textContent ?? '').matchAll(/\S+/g)) {
+          const range = document.createRange();
+          range.setStart(text, index);
+          range.setEnd(text, index + word.length);
+          if (new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size > 1) found.push(`${word} in ${label.textContent}`);
+        }
+      }
+      return found;
+    }),
+  );
+
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
+  ...[320, 1024].map((width) => /** @type {import('./browser.mjs').Case} */ ([
+    `labels_break_between_their_words_only_at_${width}_pixels`,
+    async (open) => {
+      for (const hash of ['#/forage?preset=foraging', '#/sequence?preset=plan-small', '#/soccer?preset=match&soccer.half-seconds=20']) {
+        const { page } = await open(hash, { viewport: { width, height: 768 } });
+        const groups = page.locator('.page-tab:not([hidden]) .controls-pane details');
+        await groups.first().waitFor({ state: 'attached' });
+        await groups.evaluateAll((all) => all.forEach((group) => group.setAttribute('open', '')));
+        assert.ok((await page.locator('.page-tab:not([hidden]) .control:visible').count()) > 10);
+        assert.deepEqual(await brokenWords(page), [], hash);
+      }
+    },
+  ])),
   [
     'live_change_becomes_an_event_and_survives_in_the_link',
     async (open) => {

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { unzipSync } from 'fflate';
 import { ALL_FORMATS, BufferSource, EncodedPacketSink, Input } from 'mediabunny';
+import { documentOf, openBench } from './bench.mjs';
 import { SHORT, openSoccer } from './pitch.mjs';
 import { openPlan } from './plan.mjs';
 import { linkTo, openStudy } from './studies.mjs';
@@ -17,12 +18,11 @@ async function openFilm(page) {
 async function film({ page }, fields, stretch) {
   const dialog = await openFilm(page);
   if (stretch) await dialog.getByRole('button', { name: stretch }).click();
-  for (const [label, value] of Object.entries(fields)) {
+  for (const [label, value] of Object.entries({ Pixels: '480', ...fields })) {
     const field = dialog.getByLabel(label);
     if (await field.evaluate((element) => element.matches('select'))) await field.selectOption(value);
     else await field.fill(value);
   }
-  await dialog.getByLabel('Pixels').selectOption('480');
   const waiting = page.waitForEvent('download');
   await dialog.getByRole('button', { name: 'Film', exact: true }).click();
   const download = await waiting;
@@ -39,29 +39,67 @@ async function watch(bytes) {
   return { width: track.displayWidth, height: track.displayHeight, times };
 }
 
-/** @param {number[]} times */
-const assertEven = (times) => times.forEach((time, at) => assert.ok(Math.abs(time - at / 30) < 0.0006, `picture ${at} at ${time} s`)); // a container counts in milliseconds
+/** @param {number[]} times @param {number} [rate] pictures a second */
+const assertEven = (times, rate = 30) => times.forEach((time, at) => assert.ok(Math.abs(time - at / rate) < 0.0006, `picture ${at} at ${time} s`)); // a container counts in milliseconds
 
 /**
- * Shades of a picture as a browser shows it, of 24 x 18 spots. The page holds the decoder.
+ * Shades of a picture as a browser shows it, of so many spots. The page holds the decoder.
  *
  * @param {import('playwright-core').Page} page
  * @param {Buffer} bytes
  * @param {number} time seconds
  */
-const shades = (page, bytes, time) =>
+const shades = (page, bytes, time, width = 24, height = 18) =>
+  page.evaluate(
+    async ([base64, at, across, down]) => {
+      const { ALL_FORMATS, BufferSource, CanvasSink, Input } = /** @type {typeof import('mediabunny')} */ (/** @type {any} */ (globalThis).Mediabunny);
+      const source = new BufferSource(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)));
+      const track = await new Input({ formats: ALL_FORMATS, source }).getPrimaryVideoTrack();
+      if (!track) return [];
+      const found = await new CanvasSink(track, { width: across, height: down, fit: 'fill' }).getCanvas(at);
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (found?.canvas.getContext('2d'));
+      return [...context.getImageData(0, 0, across, down).data];
+    },
+    /** @type {[string, number, number, number]} */ ([bytes.toString('base64'), time, width, height]),
+  );
+
+/**
+ * How many spots of a picture have about the colour of a status in the light theme. The page holds the decoder.
+ *
+ * @param {import('playwright-core').Page} page
+ * @param {Buffer} bytes
+ * @param {number} time seconds
+ */
+const statuses = (page, bytes, time) =>
   page.evaluate(
     async ([base64, at]) => {
       const { ALL_FORMATS, BufferSource, CanvasSink, Input } = /** @type {typeof import('mediabunny')} */ (/** @type {any} */ (globalThis).Mediabunny);
       const source = new BufferSource(Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)));
       const track = await new Input({ formats: ALL_FORMATS, source }).getPrimaryVideoTrack();
-      if (!track) return [];
-      const found = await new CanvasSink(track, { width: 24, height: 18, fit: 'fill' }).getCanvas(at);
-      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (found?.canvas.getContext('2d'));
-      return [...context.getImageData(0, 0, 24, 18).data];
+      const found = track && (await new CanvasSink(track).getCanvas(at));
+      if (!found) return null;
+      const context = /** @type {OffscreenCanvasRenderingContext2D} */ (found.canvas.getContext('2d'));
+      const { data } = context.getImageData(0, 0, found.canvas.width, found.canvas.height);
+      const counts = { success: 0, failure: 0, running: 0 };
+      for (let spot = 0; spot < data.length; spot += 4) {
+        const near = (/** @type {number[]} */ colour) => Math.hypot(...colour.map((part, index) => part - data[spot + index])) < 50;
+        if (near([0, 158, 115])) counts.success += 1;
+        else if (near([213, 94, 0])) counts.failure += 1;
+        else if (near([230, 159, 0])) counts.running += 1;
+      }
+      return counts;
     },
     /** @type {[string, number]} */ ([bytes.toString('base64'), time]),
   );
+
+/** Whether the pitches in the left and the right half of a picture look alike. @param {import('playwright-core').Page} page @param {Buffer} bytes @param {number} time */
+async function halvesEqual(page, bytes, time) {
+  const spots = await shades(page, bytes, time, 90, 40); // half of it is 45 wide, of which the gap takes one
+  const shade = (/** @type {number} */ x, /** @type {number} */ y) => spots[4 * (90 * y + x)];
+  let apart = 0;
+  for (let y = 0; y < 32; y += 1) for (let x = 0; x < 44; x += 1) if (Math.abs(shade(x, y) - shade(x + 46, y)) > 40) apart += 1;
+  return apart < 3;
+}
 
 /** @type {import('./browser.mjs').Case[]} */
 export const cases = [
@@ -164,6 +202,49 @@ export const cases = [
     },
   ],
   [
+    'a_film_beside_shows_both_pitches_with_coaches_and_scores_at_the_same_moments',
+    async (open) => {
+      const soccer = await openSoccer(open, SHORT.replace('seconds=20', 'seconds=60'), { acceptDownloads: true, bypassCSP: true });
+      const { page } = soccer;
+      await page.addScriptTag({ path: 'node_modules/mediabunny/dist/bundles/mediabunny.min.cjs' });
+      const said = page.locator('#soccer-compare').filter({ hasText: 'At full time' });
+      /** @type {() => Promise<string[]>} */
+      const written = () => page.evaluate(() => (/** @type {any} */ (globalThis).written ??= []).splice(0));
+      await page.evaluate(() => {
+        const { fillText } = CanvasRenderingContext2D.prototype;
+        CanvasRenderingContext2D.prototype.fillText = function (words, ...place) {
+          /** @type {any} */ ((globalThis).written ??= []).push(words);
+          fillText.call(this, words, ...place);
+        };
+      });
+      await page.getByRole('button', { name: 'A | B' }).click();
+      await said.waitFor();
+      const [same, differs] = [[], []];
+      for (const [other, found] of /** @type {[string, boolean[]][]} */ ([['tree', same], ['chase', differs]])) {
+        await page.locator('#soccer-other').selectOption(other);
+        await page.locator('#soccer .soccer-side .side-name').nth(1).filter({ hasText: other === 'tree' ? 'tree against machine' : 'two chasers against machine' }).waitFor();
+        await said.waitFor();
+        await written();
+        const { name, bytes } = await film(soccer, { Speed: '32', Pixels: '720' }, 'Whole match');
+        assert.match(name, /^match-seed3-a-b-0-to-120s\.(mp4|webm)$/);
+        const { width, height, times } = await watch(bytes);
+        assert.deepEqual([width, height, times.length], [720, 318, 226]); // 7200 ticks, 32 per picture, and the last
+        assertEven(times);
+        for (const time of [0, 2, 5]) found.push(await halvesEqual(page, bytes, time));
+        const words = await written();
+        const [, ...goals] = /A ends (\d+) : (\d+) and B (\d+) : (\d+)/.exec((await said.textContent()) ?? '') ?? [];
+        const [a, b] = ['A', 'B'].map((letter) => words.filter((each) => each.startsWith(`${letter}: `)));
+        assert.deepEqual([a.length, b.length], [226, 226], 'both in every picture');
+        assert.equal(a.at(-1), `A: tree (blue) ${goals[0]} : ${goals[1]} machine (yellow)`);
+        assert.equal(b.at(-1), `B: ${other === 'tree' ? 'tree' : 'two chasers'} (blue) ${goals[2]} : ${goals[3]} machine (yellow)`);
+        assert.match(a[0], / 0 : 0 /, 'at the kick-off');
+      }
+      assert.deepEqual(same, [true, true, true], 'one coach: the same picture twice');
+      assert.deepEqual(differs, [true, false, false], 'another coach: the same kick-off only');
+      assert.deepEqual(soccer.problems, []);
+    },
+  ],
+  [
     'a_film_of_a_plan_shows_it_from_start_to_end_and_none_is_made_of_no_plan',
     async (open) => {
       const plan = await openPlan(open, '#/sequence?preset=plan-small&seed=3&plan=EEN&t=120', { acceptDownloads: true });
@@ -182,6 +263,54 @@ export const cases = [
       await none.notice(/There is no plan/);
       assert.deepEqual(plan.problems.concat(none.problems), []);
       return name;
+    },
+  ],
+  [
+    'a_film_of_a_tree_has_a_picture_for_every_tick_in_the_colours_of_the_statuses',
+    async (open) => {
+      const bench = await openBench(open, '#/trees?preset=retry', { acceptDownloads: true, bypassCSP: true });
+      const { page } = bench;
+      const before = await bench.seek(3);
+      const dialog = await openFilm(page);
+      assert.deepEqual([await dialog.getByLabel('From tick').inputValue(), await dialog.getByLabel('To tick').inputValue()], ['0', '8'], 'the ticks that are known');
+      await page.locator('#video-extent').filter({ hasText: '9 pictures, 4.5 s at 2 pictures a second' }).waitFor();
+      await dialog.getByLabel('To tick').fill('100001');
+      await page.locator('#video-extent').filter({ hasText: /^Expected whole ticks from 0 to 100000, the first not after the last\.$/ }).waitFor();
+      assert.ok(await dialog.getByRole('button', { name: 'Film', exact: true }).isDisabled());
+      await dialog.getByRole('button', { name: 'Close' }).click();
+      const { name, bytes } = await film(bench, { 'To tick': '10', Speed: '4' });
+      assert.match(name, /^retry-0-to-10\.(mp4|webm)$/);
+      const { width, height, times } = await watch(bytes);
+      assert.deepEqual([width, height % 2, times.length], [480, 0, 11]);
+      assertEven(times, 4);
+      await bench.notice(/Saved retry-0-to-10.*11 pictures/);
+      await page.addScriptTag({ path: 'node_modules/mediabunny/dist/bundles/mediabunny.min.cjs' });
+      const [none, first, fourth] = [await statuses(page, bytes, 0), await statuses(page, bytes, 0.25), await statuses(page, bytes, 1)];
+      assert.ok(none && first && fourth);
+      assert.deepEqual(none, { success: 0, failure: 0, running: 0 }, 'before the first tick nothing has returned');
+      assert.ok(first.failure > 20 && first.running > 20, `PushDoor fails, Enter and help run: ${JSON.stringify(first)}`);
+      assert.ok(fourth.failure > 20 && fourth.running < first.running, `Enter fails: ${JSON.stringify(fourth)}`);
+      const again = await film(bench, { 'To tick': '10', Speed: '4' });
+      assert.deepEqual(await statuses(page, again.bytes, 1), fourth, 'the same picture again');
+      assert.equal(await bench.at(3), before, 'the run on screen stays as it was');
+      assert.deepEqual(bench.said(), []);
+      return name;
+    },
+  ],
+  [
+    'no_film_is_made_of_a_comparison_or_of_a_tree_that_cannot_run',
+    async (open) => {
+      const compared = await openBench(open, '#/trees');
+      await compared.page.locator('.compare:not([hidden])').waitFor();
+      await compared.page.locator('#trees .foot').getByRole('button', { name: 'Video', exact: true }).click();
+      await compared.notice(/Leave the comparison first/);
+      const bench = await openBench(open, '#/trees?preset=retry');
+      await bench.type(documentOf('<Own><Near/></Own>', '<Control ID="Own"/><Condition ID="Near"/>'));
+      await bench.page.locator('#trees .watch').filter({ hasText: 'can be shown but not run' }).waitFor();
+      await bench.page.locator('#trees .foot').getByRole('button', { name: 'Video', exact: true }).click();
+      await bench.notice(/cannot be run, so there is nothing to film/);
+      assert.equal(await bench.page.locator('.video-dialog').count(), 0);
+      assert.deepEqual(compared.said().concat(bench.said()), []);
     },
   ],
   [

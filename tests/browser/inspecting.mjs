@@ -97,6 +97,19 @@ export const cases = [
     },
   ],
   [
+    'genome_tab_says_what_a_genome_is_and_leads_to_the_lesson_that_shows_it',
+    async (open) => {
+      const { page } = await open();
+      await page.locator('#tab-genome').click();
+      const about = page.locator('#panel-genome p').first();
+      await about.filter({ hasText: /genome is .* codon, picks .* program/ }).waitFor();
+      await about.getByRole('link', { name: 'Lesson 5 shows how' }).click();
+      await page.locator('.lesson h2').filter({ hasText: 'From codons to trees' }).waitFor();
+      await about.waitFor(); // the tab stands beside the lesson, which needs no way to itself
+      assert.equal(await about.getByRole('link').count(), 0);
+    },
+  ],
+  [
     'charts_have_a_data_table',
     async (open) => {
       const { page, seek } = await open();

@@ -61,6 +61,7 @@ export const cases = [
       await page.evaluate(() => void (location.hash = '#/forage'));
       await at(0);
       await page.locator('#foot').getByRole('button', { name: 'Video', exact: true }).click();
+      await page.locator('.video-dialog').waitFor(); // it is loaded when it is asked for
       assert.deepEqual(await violations(page), [], 'film');
     },
   ])),

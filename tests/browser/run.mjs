@@ -44,6 +44,7 @@ import { cases as offline } from './offline.mjs';
 import { cases as publishing } from './publishing.mjs';
 import { cases as measuring } from './measuring.mjs';
 import { cases as filming } from './filming.mjs';
+import { cases as filmAccess } from './filmaccess.mjs';
 import { cases as learn } from './learn.mjs';
 import { cases as learnAccess } from './learnaccess.mjs';
 import { cases as sharing } from './sharing.mjs';
@@ -63,7 +64,7 @@ if (!existsSync(`${dist}/index.html`)) fail('the page is not built: run make bui
 if (!executable) fail('no Chromium was found: install it or set CHROMIUM to its path');
 
 const words = process.argv.slice(2);
-const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun, studiesForm, studiesAccess, sequenceRun, sequenceEdit, sequenceAccess, soccerRun, soccerEdit, soccerBeside, soccerAccess, policy, offline, publishing, measuring, filming, learn, learnAccess, sharing, embedding, badLinks]
+const chosen = [opening, steps, tasks, inspecting, links, fingerprints, controls, mistakes, access, exports, frames, comparing, files, tabs, treesText, treesRun, treesFiles, treesView, treesAccess, studiesRun, studiesForm, studiesAccess, sequenceRun, sequenceEdit, sequenceAccess, soccerRun, soccerEdit, soccerBeside, soccerAccess, policy, offline, publishing, measuring, filming, filmAccess, learn, learnAccess, sharing, embedding, badLinks]
   .flat()
   .filter(([name]) => words.length === 0 || words.some((word) => name.includes(word)));
 const [together, alone] = [chosen.filter(([, , how]) => how !== 'alone'), chosen.filter(([, , how]) => how === 'alone')];

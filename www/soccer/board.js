@@ -122,6 +122,7 @@ export function createSoccerBoard({ element, frame, state, engine, match, playba
     scene: (tick) => sceneAt(tick, tick === playback.tick ? shown() : match.film.frame(tick), soccerText.roles),
     theme,
     names,
+    beside: () => (compare?.on() ? compare : null),
     still: drive.end,
     say,
   });

@@ -4,7 +4,7 @@ import { soccerText } from '../ui/strings.soccer.en.js';
 import { createPitch } from '../views/soccer/pitch.js';
 import { createMatch } from './match.js';
 
-/** @import { PitchTheme } from '../draw/soccer.js' */
+/** @import { PitchScene, PitchTheme } from '../draw/soccer.js' */
 /** @import { SoccerFrame } from '../views/soccer/frame.js' */
 /** @import { SoccerMatch } from './match.js' */
 /** @import { SoccerPlayback } from './playback.js' */
@@ -26,18 +26,15 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
   let compared = 0; // ticks that were compared
   let told = '';
   let opened = ''; // the scenario that B plays
+  /** @type {string[][]} coaches of blue and yellow on both sides */
+  let teams = [];
   const engine = createEngine(broke, spawn);
   const other = createMatch(engine);
   const sides = /** @type {const} */ (['a', 'b']).map((letter, index) => {
     const match = index === 0 ? own : other;
     const pitch = createPitch({
       label: words.pitch(letter.toUpperCase()),
-      scene() {
-        if (match.film.count === 0) return null;
-        const tick = match.film.within(playback.tick);
-        const names = Array.from({ length: 6 }, (_, robot) => soccerText.short[setting.roles[match.film.role(tick, robot)]] ?? '');
-        return { walls: setting.walls, frame: match.film.frame(tick), film: match.film, tick, names, exchanged: match.exchanged, layers };
-      },
+      scene: () => sceneOf(match, playback.tick),
       theme,
     });
     const name = h('span', { class: 'side-name' });
@@ -48,6 +45,14 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
     onTheme(pitch.invalidate);
     return { letter, match, pitch, name, said, element };
   });
+
+  /** What is drawn of a match; past its end it stands still. @param {SoccerMatch} match @param {number} moment @returns {Omit<PitchScene, 'width' | 'height'> | null} */
+  function sceneOf(match, moment) {
+    if (match.film.count === 0) return null;
+    const tick = match.film.within(moment);
+    const names = Array.from({ length: 6 }, (_, robot) => soccerText.short[setting.roles[match.film.role(tick, robot)]] ?? '');
+    return { walls: setting.walls, frame: match.film.frame(tick), film: match.film, tick, names, exchanged: match.exchanged, layers };
+  }
 
   const blue = h('select', { id: 'soccer-other' }, ...Object.entries(soccerText.kinds).map(([value, label]) => h('option', { value }, label)));
   const status = h('p', { class: 'compare-said', id: 'soccer-compare' });
@@ -72,8 +77,8 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
       await other.open(scenario);
     }
     [parted, compared, told] = [-1, 0, ''];
-    const kinds = [session.scenario(), scenario].map((each) => words.side(soccerText.kinds[each.blue] + (each['blue-coach'] ? words.edited : ''), soccerText.kinds[each.yellow]));
-    sides.forEach(({ name }, index) => write(name, kinds[index]));
+    teams = [session.scenario(), scenario].map((each) => [soccerText.kinds[each.blue] + (each['blue-coach'] ? words.edited : ''), soccerText.kinds[each.yellow]]);
+    sides.forEach(({ name }, index) => write(name, words.side(teams[index][0], teams[index][1])));
     progress();
   }
 
@@ -136,6 +141,19 @@ export function createSoccerCompare({ frame, session, playback, match: own, laye
       note.remove();
       bar.remove();
     },
+
+    matches: sides.map(({ match }) => match),
+
+    /** Both sides at a moment, for a picture. @param {number} moment */
+    halves: (moment) =>
+      sides.map(({ letter, match }, index) => {
+        const { phase, seconds } = match.film.clock(moment);
+        return {
+          scene: sceneOf(match, moment),
+          score: words.score(letter.toUpperCase(), teams[index], match.film.goals(moment)),
+          time: words.time(Number(match.scenario?.seed), soccerText.board.time(phase, seconds)),
+        };
+      }),
 
     redraw: show,
     hold: other.hold,

@@ -42,7 +42,7 @@ export function createControl(parameter, wiring) {
   const changed = h('p', { class: 'changed', hidden: true }, reset, waits);
   const say = (/** @type {string} */ message) => write(error, message);
   const field = createField(parameter, id, wiring, say);
-  const head = h('div', { class: 'control-head' }, field.label, field.aside, about);
+  const head = h('div', { class: 'control-head' }, field.label, h('span', { class: 'control-side' }, field.aside, about));
   const element = h('div', { class: `control ${parameter.type}`, 'data-key': parameter.key, 'data-apply': parameter.apply }, head, field.body, error, changed, help);
 
   /** @type {Value} */

@@ -209,6 +209,8 @@ export const text = {
     storedColumns: ['From', 'Fitness', 'Diversity'],
   },
   genome: {
+    about: "A genome is a robot's row of numbers; each number, a codon, picks the next rule of a grammar, and the rules together write the robot's program.",
+    lesson: 'Lesson 5 shows how.',
     codons: 'Codons',
     tree: 'Program of this genome',
     hint: 'Point at a codon to see its rule; up and down change it.',

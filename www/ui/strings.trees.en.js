@@ -223,6 +223,8 @@ export const benchText = {
     xml: 'The tree as canonical XML with models of its own nodes, for BehaviorTree.CPP and Groot2',
     svg: 'Drawing of the tree with what it returned, SVG',
     png: 'Drawing of the tree with what it returned, PNG',
+    videoLong: 'A film of the run, a picture for each tick',
+    noRun: 'This tree cannot be run, so there is nothing to film.',
     json: 'Text, script, mode and tick as a file that can be opened here',
     citeLong: 'Copy title, version, link, tick and fingerprint',
     notFormatted: (/** @type {string} */ why) => `No XML was saved: ${why}.`,

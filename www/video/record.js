@@ -1,11 +1,12 @@
-export const FRAMES_PER_SECOND = 30;
+export const FRAMES_PER_SECOND = 30; // unless a film says otherwise
 const SECONDS_BETWEEN_KEYFRAMES = 2; // so that players can jump into the middle
 
 /**
  * @typedef {{ from: number, to: number, every: number }} Extent the moments of a run that are filmed: the first, the last, and
  *   how many lie from one picture to the next
  * @typedef {(context: CanvasRenderingContext2D) => void} Picture draws all of one picture
- * @typedef {{ width: number, height: number, pictures: AsyncIterable<Picture> }} Shot width and height in pixels, even
+ * @typedef {{ width: number, height: number, rate: number, pictures: AsyncIterable<Picture> }} Shot width and height in pixels, even;
+ *   `rate` in pictures a second
  * @typedef {{ blob: Blob, ending: string, frames: number, codec: string }} Film
  */
 
@@ -27,7 +28,7 @@ export function* momentsOf({ from, to, every }) {
  * @param {(done: number) => void} made told after each picture
  * @returns {Promise<Film | 'stopped' | 'no encoder'>} `no encoder` where the browser cannot encode video of this size
  */
-export async function record({ width, height, pictures }, signal, made) {
+export async function record({ width, height, rate, pictures }, signal, made) {
   const { BufferTarget, CanvasSource, Mp4OutputFormat, Output, QUALITY_HIGH, WebMOutputFormat, getFirstEncodableVideoCodec } = await import('mediabunny');
   const codec = 'VideoEncoder' in globalThis ? await getFirstEncodableVideoCodec(['avc', 'vp9', 'vp8', 'av1'], { width, height, bitrate: QUALITY_HIGH }) : null;
   if (!codec) return 'no encoder';
@@ -38,14 +39,14 @@ export async function record({ width, height, pictures }, signal, made) {
   const format = codec === 'avc' ? new Mp4OutputFormat({ fastStart: 'in-memory' }) : new WebMOutputFormat();
   const output = new Output({ format, target });
   const source = new CanvasSource(canvas, { codec, bitrate: QUALITY_HIGH, keyFrameInterval: SECONDS_BETWEEN_KEYFRAMES });
-  output.addVideoTrack(source, { frameRate: FRAMES_PER_SECOND });
+  output.addVideoTrack(source, { frameRate: rate });
   await output.start();
   let frames = 0;
   try {
     for await (const draw of pictures) {
       if (signal.aborted) break;
       draw(context);
-      await source.add(frames / FRAMES_PER_SECOND, 1 / FRAMES_PER_SECOND); // waits while the encoder is behind
+      await source.add(frames / rate, 1 / rate); // waits while the encoder is behind
       frames += 1;
       made(frames);
     }

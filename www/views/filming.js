@@ -32,7 +32,7 @@ export function filmRun({ scenario, layers, theme, caption, tick, steps, stem, s
       proposed: { from: 0, to: tick > 0 ? tick : Math.min(steps, DEFAULT_TICKS) },
       stretches: [],
       speeds: [],
-      every: 1,
+      speed: 0,
       sizes: SIZES,
       size: 1,
       stem,

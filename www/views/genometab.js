@@ -8,6 +8,8 @@ import { createTreeFigure } from './treefigure.js';
 /** @import { Selection } from '../selection.js' */
 /** @import { Derivation, Derived, Detail } from '../types.js' */
 
+const LESSON = '#/learn/5';
+
 /**
  * Codons, grammar rules and tree nodes, linked. Changing a codon is a what-if: it never touches the run.
  *
@@ -25,7 +27,8 @@ export function createGenomeTab({ pane, engine, run, selection }) {
   const machine = createMachineSlot({ plain: true });
   const empty = h('p', { class: 'empty' }, text.agent.none);
   const body = h('div', {}, said, cells, rule, whatIf, verdict, frame, machine.element);
-  pane.append(empty, body);
+  const about = h('p', { class: 'about-genome' }, text.genome.about, ' ', h('a', { href: LESSON }, text.genome.lesson));
+  pane.append(about, empty, body);
 
   /** @type {number[]} genome of the robot in the run */
   let own = [];

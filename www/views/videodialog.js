@@ -14,6 +14,9 @@ const DIGITS = 100; // a moment in seconds is shown to 0.01 s
 /**
  * @typedef {{ width: number, height: number }} Size of a picture, even pixels
  *
+ * @typedef {{ every: number, rate?: number, label: string }} Speed moments per picture, pictures a second where these are not the usual ones, and
+ *   what that is called
+ *
  * @typedef {object} Reel what can be filmed
  * @property {string} about one or two sentences
  * @property {'ticks' | 'seconds'} unit what the fields count
@@ -21,8 +24,8 @@ const DIGITS = 100; // a moment in seconds is shown to 0.01 s
  * @property {number} last the last moment
  * @property {{ from: number, to: number }} proposed moments
  * @property {{ label: string, from: number, to: number }[]} stretches that a press proposes
- * @property {{ every: number, label: string }[]} speeds moments per picture with what that is called; where there are none, a number is typed
- * @property {number} every moments per picture that are proposed
+ * @property {Speed[]} speeds where there are none, moments per picture are typed
+ * @property {number} speed which of them is proposed
  * @property {Size[]} sizes
  * @property {number} size which of them is proposed
  * @property {string} stem of the file's name
@@ -35,7 +38,7 @@ const DIGITS = 100; // a moment in seconds is shown to 0.01 s
  * @param {Reel} reel
  * @param {(message: string, kind?: 'note' | 'problem') => void} say
  */
-export function openVideo({ about, unit, perUnit, last, proposed, stretches, speeds, every: usual, sizes, size: usualSize, stem, pictures }, say) {
+export function openVideo({ about, unit, perUnit, last, proposed, stretches, speeds, speed: usualSpeed, sizes, size: usualSize, stem, pictures }, say) {
   const words = videoText.units[unit];
   const shown = (/** @type {number} */ moment) => String(Math.floor((moment / perUnit) * DIGITS) / DIGITS);
   const row = (/** @type {string} */ label, /** @type {HTMLInputElement | HTMLSelectElement} */ control) => {
@@ -45,7 +48,9 @@ export function openVideo({ about, unit, perUnit, last, proposed, stretches, spe
   const field = (/** @type {string} */ value, /** @type {number} */ min) => h('input', { type: 'number', min, max: shown(last), step: perUnit === 1 ? 1 : 'any', value });
   const from = field(shown(proposed.from), 0);
   const to = field(shown(proposed.to), 0);
-  const every = speeds.length === 0 ? field(String(usual), 1) : h('select', {}, ...speeds.map((speed) => h('option', { value: speed.every, selected: speed.every === usual }, speed.label)));
+  const every = field('1', 1);
+  const speed = h('select', {}, ...speeds.map(({ every: stride, rate, label }, index) => h('option', { value: rate ?? stride, selected: index === usualSpeed }, label)));
+  const typed = speeds.length === 0;
   const size = h('select', {}, ...sizes.map(({ width, height }, index) => h('option', { value: width, selected: index === usualSize }, `${width} × ${height}`)));
   const quick = stretches.map((stretch) =>
     button(stretch.label, () => {
@@ -56,7 +61,7 @@ export function openVideo({ about, unit, perUnit, last, proposed, stretches, spe
   const extent = h('p', { class: 'secondary', id: 'video-extent', role: 'status' });
   const progress = h('progress', { value: 0, max: 1, 'aria-label': videoText.progress, hidden: true });
   const main = button(videoText.start, () => void (work ? work.abort() : film()), { class: 'primary' });
-  const rows = h('fieldset', { class: 'video-rows' }, row(words.from, from), row(words.to, to), row(words.every, every), row(videoText.size, size));
+  const rows = h('fieldset', { class: 'video-rows' }, row(words.from, from), row(words.to, to), typed ? row(videoText.every, every) : row(videoText.pace, speed), row(videoText.size, size));
   if (quick.length > 0) rows.prepend(h('div', { class: 'video-quick', role: 'group', 'aria-label': videoText.stretch }, ...quick));
   const dialog = h(
     'dialog',
@@ -71,9 +76,12 @@ export function openVideo({ about, unit, perUnit, last, proposed, stretches, spe
   /** @type {AbortController | null} while a film is made */
   let work = null;
 
+  const rate = () => (typed ? undefined : speeds[speed.selectedIndex].rate) ?? FRAMES_PER_SECOND;
+
   /** What is asked for; null when it makes no film. @returns {Extent | null} */
   function range() {
-    const [first, final, stride] = [from, to, every].map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
+    const [first, final, written] = [from, to, every].map(({ value }) => (value.trim() === '' ? NaN : Number(value)));
+    const stride = typed ? written : speeds[speed.selectedIndex].every;
     const counted = [first, final].every(perUnit === 1 ? Number.isSafeInteger : Number.isFinite);
     if (!counted || !Number.isSafeInteger(stride) || stride < 1) return null;
     const asked = { from: Math.round(first * perUnit), to: Math.round(final * perUnit), every: stride };
@@ -83,9 +91,9 @@ export function openVideo({ about, unit, perUnit, last, proposed, stretches, spe
   function show() {
     const asked = range();
     const frames = asked ? framesOf(asked) : 0;
-    if (!asked) write(extent, words.none(shown(last)));
+    if (!asked) write(extent, `${words.none(shown(last))}${typed ? videoText.oneEach : ''}.`);
     else if (frames > MOST_FRAMES) write(extent, videoText.tooLong(frames, MOST_FRAMES));
-    else write(extent, videoText.extent(frames, (frames / FRAMES_PER_SECOND).toFixed(1), FRAMES_PER_SECOND));
+    else write(extent, videoText.extent(frames, (frames / rate()).toFixed(1), rate()));
     main.disabled = !asked || frames > MOST_FRAMES;
   }
 
@@ -101,7 +109,7 @@ export function openVideo({ about, unit, perUnit, last, proposed, stretches, spe
     progress.max = frames;
     progress.value = 0;
     try {
-      const film = await record({ ...chosen, pictures: pictures(asked, chosen, mine.signal) }, mine.signal, (done) => {
+      const film = await record({ ...chosen, rate: rate(), pictures: pictures(asked, chosen, mine.signal) }, mine.signal, (done) => {
         progress.value = done;
         write(extent, videoText.done(done, frames));
       });

@@ -8,7 +8,7 @@ import { openVideo } from '../videodialog.js';
 const STEPS_PER_SECOND = 10;
 const SLOWEST = FRAMES_PER_SECOND / STEPS_PER_SECOND; // times real time, with a picture for each step
 const SPEEDS = [1, 2, 3, 5, 10, 20].map((every) => ({ every, label: videoText.speed(every * SLOWEST) }));
-const DEFAULT_EVERY = 3; // as fast as the tab plays, nearly
+const USUAL = 2; // as fast as the tab plays, nearly
 const SIZES = [480, 720, 1080].map((side) => ({ width: side, height: side }));
 
 /**
@@ -27,7 +27,7 @@ export function filmPlan({ last, side, ground, paint, stem, say }) {
       proposed: { from: 0, to: last },
       stretches: [],
       speeds: SPEEDS,
-      every: DEFAULT_EVERY,
+      speed: USUAL,
       sizes: SIZES,
       size: 1,
       stem,

@@ -8,6 +8,7 @@ import { soccerText } from '../../ui/strings.soccer.en.js';
 import { text } from '../../ui/strings.en.js';
 
 /** @import { PitchScene, PitchTheme } from '../../draw/soccer.js' */
+/** @import { SoccerCompare } from '../../soccer/compare.js' */
 /** @import { SoccerMatch } from '../../soccer/match.js' */
 /** @import { SoccerPlayback } from '../../soccer/playback.js' */
 /** @import { SoccerSession } from '../../soccer/session.js' */
@@ -22,11 +23,11 @@ const words = soccerText.foot;
  * The footer: version, fingerprint, and everything that can be taken away.
  *
  * @param {{ pane: HTMLElement, match: SoccerMatch, playback: SoccerPlayback, session: SoccerSession, theme: () => PitchTheme, names: () => string[],
- *   scene: (tick: number) => Omit<PitchScene, 'width' | 'height'> | null, still: () => Promise<void>,
+ *   scene: (tick: number) => Omit<PitchScene, 'width' | 'height'> | null, beside: () => SoccerCompare | null, still: () => Promise<void>,
  *   say: (message: string, kind?: 'note' | 'problem', offers?: { label: string, press: () => void }[]) => void }} parts
- *   `scene` is what is drawn of a moment, `still` ends what somebody does to the match by hand
+ *   `scene` is what is drawn of a moment, `beside` is A | B while it is open, `still` ends what somebody does to the match by hand
  */
-export function createSoccerFoot({ pane, match, playback, session, theme, names, scene, still, say }) {
+export function createSoccerFoot({ pane, match, playback, session, theme, names, scene, beside, still, say }) {
   const fingerprint = h('output', { class: 'fingerprint', id: 'soccer-fingerprint', title: words.fingerprint, 'aria-label': words.fingerprint });
   pane.append(
     h('p', { class: 'facts' }, h('span', {}, session.version), fingerprint),
@@ -99,9 +100,22 @@ export function createSoccerFoot({ pane, match, playback, session, theme, names,
     if (!scene(playback.tick)) return;
     playback.pause();
     await still();
+    const both = beside();
+    if (both?.matches.some(({ film }) => film.count === 0)) return say(soccerText.compare.soon);
+    const parts = { tick: playback.tick, ground: theme().ground, say };
     try {
-      const { filmMatch } = await import('./filming.js');
-      filmMatch({ match, tick: playback.tick, ground: theme().ground, width: WIDTH, height: HEIGHT, paint, stem: stem(), say });
+      const { filmMatches } = await import('./filming.js');
+      if (!both) return filmMatches({ ...parts, matches: [match], width: WIDTH, height: HEIGHT, paint, stem: stem() });
+      const picture = await import('./bothpicture.js');
+      const colours = theme();
+      filmMatches({
+        ...parts,
+        matches: both.matches,
+        width: picture.WIDTH,
+        height: picture.HEIGHT,
+        paint: (context, tick) => picture.paintBoth(context, both.halves(tick), colours),
+        stem: `${stem()}-a-b`,
+      });
     } catch {
       say(text.foot.videoMissing, 'problem');
     }

@@ -3,7 +3,6 @@ import { labelsOf, place } from '../../draw/benchlayout.js';
 import { outline } from '../../draw/benchshapes.js';
 import { readMoment } from '../../draw/benchstate.js';
 import { h, s } from '../../ui/dom.js';
-import { standalone } from '../../ui/share.js';
 import { figureText as text } from '../../ui/strings.figures.en.js';
 import { createCamera } from './figurecamera.js';
 import { bindNodes } from './figureevents.js';
@@ -11,6 +10,7 @@ import { followNodes } from './figurekeys.js';
 import { massOf } from './figuremass.js';
 import { measure } from './figuremeasure.js';
 import { createFarNode, createNode, findNodes } from './figurenode.js';
+import { createPicture, hasStarted, takenEdges } from './figurepicture.js';
 
 /** @import { BenchNode, Moment, Status } from '../../trees/types.js' */
 /** @import { Label, Layout, Way } from '../../draw/benchlayout.js' */
@@ -152,7 +152,7 @@ export function createBenchFigure({ label, select, answer }) {
   const lookOf = (id, picture = false) => ({ way, folded: folded.has(id), hidden: nodes[id].end - id - 1, target: coarse.matches ? 44 : 24, tagWidth, picture });
 
   function paintEdges() {
-    taken.setAttribute('d', layout.shown.map((spot) => (stateOf(spot.id).when === 'now' ? spot.edge : '')).join(''));
+    taken.setAttribute('d', takenEdges(layout, stateOf));
   }
 
   function paintItems() {
@@ -270,7 +270,7 @@ export function createBenchFigure({ label, select, answer }) {
     /** @param {Moment | null} moment */
     paint(moment) {
       stateOf = readMoment(nodes, moment);
-      stage.classList.toggle('bench-started', moment !== null && moment.tick > 0);
+      stage.classList.toggle('bench-started', hasStarted(moment));
       if (far) mass.replaceChildren(...massOf(nodes, layout.shown, stateOf, letters));
       paintEdges();
       paintItems();
@@ -333,21 +333,8 @@ export function createBenchFigure({ label, select, answer }) {
       if (settled && !whole && selected !== null && layout.spots[selected].shown) camera.bring(layout.spots[selected]);
     },
 
-    /** The whole drawing as a file of its own, without what can be pressed. */
-    picture() {
-      const all = layout.shown.map((spot) => {
-        const item = createNode(nodes[spot.id], labels[spot.id], spot, lookOf(spot.id, true));
-        item.paint(stateOf(spot.id), letters.get(spot.id), false);
-        return item.element;
-      });
-      const drawing = s('svg', { class: 'bench-stage bench-picture' }, edges.cloneNode(), taken.cloneNode(), ...all);
-      drawing.classList.toggle('bench-started', stage.classList.contains('bench-started'));
-      element.append(drawing); // styles are computed in the page only
-      const [width, height] = [Math.ceil(layout.width), Math.ceil(layout.height)];
-      const svg = standalone(drawing, { title: label, width, height, ground: getComputedStyle(element).getPropertyValue('--ground').trim() });
-      drawing.remove();
-      return { svg, width, height };
-    },
+    /** The whole drawing as it is now, of any moment. */
+    picture: () => createPicture({ host: element, title: label, nodes, labels, layout, lookOf: (id) => lookOf(id, true), letters }),
   };
 }
 

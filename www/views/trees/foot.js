@@ -3,10 +3,13 @@ import { button, h, write } from '../../ui/dom.js';
 import { copy, save } from '../../ui/share.js';
 import { text } from '../../ui/strings.en.js';
 import { benchText } from '../../ui/strings.trees.en.js';
+import { readTheme } from '../../draw/theme.js';
 import { LONGEST_LINK } from '../../pack.js';
+import { imageOf } from './figurepicture.js';
 
 /** @import { TreeRun } from '../../trees/run.js' */
 /** @import { TreeSession } from '../../trees/session.js' */
+/** @import { TreePicture } from './figurepicture.js' */
 
 const PICTURE_SCALE = 2;
 
@@ -14,7 +17,7 @@ const PICTURE_SCALE = 2;
  * The footer of the workbench: version, fingerprint, and everything that can be taken away.
  *
  * @param {{ pane: HTMLElement, run: TreeRun, session: TreeSession, format: (xml: string) => Promise<string>,
- *   picture: () => { svg: string, width: number, height: number } | null, title: () => string,
+ *   picture: () => TreePicture | null, title: () => string,
  *   playCoach: (xml: string) => Promise<void>, say: (message: string, kind?: 'note' | 'problem', offers?: { label: string, press: () => void }[]) => void }} parts
  *   `format` gives canonical XML or rejects with the first fault, `picture` is null while there is none
  */
@@ -31,6 +34,7 @@ export function createBenchFoot({ pane, run, session, format, picture, title, pl
       button('XML', () => void xml(), { title: benchText.foot.xml }),
       button('SVG', svg, { title: benchText.foot.svg }),
       button('PNG', () => void png(), { title: benchText.foot.png }),
+      button(text.foot.video, () => void video(), { title: benchText.foot.videoLong }),
       button('JSON', json, { title: benchText.foot.json }),
       button(text.foot.cite, () => void cite(), { title: benchText.foot.citeLong }),
     ),
@@ -68,22 +72,30 @@ export function createBenchFoot({ pane, run, session, format, picture, title, pl
 
   function svg() {
     const drawing = picture();
-    if (drawing) save(`${stem()}.svg`, new Blob([drawing.svg], { type: 'image/svg+xml' }));
+    if (drawing) save(`${stem()}.svg`, new Blob([drawing.svg(run.moment)], { type: 'image/svg+xml' }));
   }
 
   async function png() {
     const drawing = picture();
     if (!drawing) return;
-    const address = URL.createObjectURL(new Blob([drawing.svg], { type: 'image/svg+xml' }));
+    const canvas = h('canvas', { width: drawing.width * PICTURE_SCALE, height: drawing.height * PICTURE_SCALE });
+    const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+    context.drawImage(await imageOf(drawing.svg(run.moment), drawing), 0, 0, canvas.width, canvas.height);
+    canvas.toBlob((blob) => (blob ? save(`${stem()}.png`, blob) : say(benchText.foot.tooWide, 'problem')));
+  }
+
+  async function video() {
+    const drawing = picture();
+    if (!drawing) return;
+    if (!run.moment) return say(benchText.foot.noRun);
+    run.pause();
+    const { xml: tree, script, mode, ms } = session.running();
+    const names = run.tree?.nodes.map((node) => node.name) ?? [];
     try {
-      const image = h('img', { width: drawing.width, height: drawing.height, src: address });
-      await image.decode();
-      const canvas = h('canvas', { width: drawing.width * PICTURE_SCALE, height: drawing.height * PICTURE_SCALE });
-      const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-      context.drawImage(image, 0, 0, canvas.width, canvas.height);
-      canvas.toBlob((blob) => (blob ? save(`${stem()}.png`, blob) : say(benchText.foot.tooWide, 'problem')));
-    } finally {
-      URL.revokeObjectURL(address);
+      const { filmTree } = await import('./filming.js');
+      filmTree({ setup: { xml: tree, script, mode, ms }, title: title(), length: run.length, picture: drawing, names, theme: readTheme(pane), stem: name(), say });
+    } catch {
+      say(text.foot.videoMissing, 'problem');
     }
   }
 

@@ -8,14 +8,17 @@ use super::body::Body;
 use super::controller::{Controller, Planted};
 use super::mind::Mind;
 use super::world::State;
+use std::mem::offset_of;
 
 /// From so many agents on, their states are more than the near memories of usual processors hold.
 const CROWD: usize = 500;
 
+/// Bytes of a line, the piece in which processors read memory.
+const LINE: usize = 64;
+
 /// How many turns ahead each piece is called for.
-const ARRAYS: usize = 9;
-const POINTED: usize = 6;
-const AROUND: usize = 3;
+const ARRAYS: usize = 8;
+const POINTED: usize = 4;
 
 /// Whether so many agents are worth it. WebAssembly has no instruction to call for memory.
 pub fn reads_ahead(agents: usize) -> bool {
@@ -49,13 +52,9 @@ impl State {
             call_for(last_action);
             call_for_place(&self.offers, agent as usize);
             self.field.agents.call_for(agent);
-            let Mind { program, storage, since, evolution, visited, .. } = &self.minds[agent as usize];
-            call_for(&program.controller);
-            call_for(&program.id);
-            call_for(storage);
-            call_for(since);
-            call_for(evolution);
-            visited.call_for();
+            // Its first field stands at the start of a line.
+            let since = std::slice::from_ref(&self.minds[agent as usize].since);
+            (0..offset_of!(Mind, replaced)).step_by(LINE).for_each(|at| call_for_place(since, at / size_of::<u32>()));
         }
         if let Some(&agent) = self.order.get(turn + POINTED) {
             let mind = &self.minds[agent as usize];
@@ -67,11 +66,6 @@ impl State {
             (0..=entries.len()).step_by(2).for_each(|entry| call_for_place(entries, entry));
             let place = self.field.agents.point(agent);
             self.field.agents.call_for_cells(place, radius);
-            self.field.items.call_for_cells(place, radius);
-        }
-        if let Some(&agent) = self.order.get(turn + AROUND) {
-            let place = self.field.agents.point(agent);
-            self.field.agents.call_for_near(place, radius);
         }
     }
 }

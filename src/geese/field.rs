@@ -248,13 +248,7 @@ impl Field {
     /// The nearest free item of an area around `place`; of equally near ones that with the smallest number.
     #[must_use]
     pub fn nearest_item(&self, place: [f64; 2], area: Area) -> Option<u32> {
-        let mut nearest: Option<(f64, u32)> = None;
-        self.items.near(place, area, |item, distance| {
-            if nearest.is_none_or(|best| (distance, item) < best) {
-                nearest = Some((distance, item));
-            }
-        });
-        nearest.map(|(_, item)| item)
+        self.items.nearest(place, area)
     }
 
     /// Takes a free item from the ground.

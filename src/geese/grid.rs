@@ -33,6 +33,29 @@ pub enum Area {
     Cell([[f64; 2]; 2]),
 }
 
+/// A search under way.
+struct Search {
+    place: [f64; 2],
+    low: [f64; 2],
+    high: [f64; 2],
+    /// The greatest squared distance; infinite where only the corners count.
+    within: f64,
+}
+
+impl Search {
+    fn new(place: [f64; 2], area: Area) -> Self {
+        match area {
+            Area::Disc(radius) => Self {
+                place,
+                low: place.map(|value| value - radius),
+                high: place.map(|value| value + radius),
+                within: radius * radius,
+            },
+            Area::Cell([low, high]) => Self { place, low, high, within: f64::INFINITY },
+        }
+    }
+}
+
 const NONE: u32 = u32::MAX;
 /// The side of a cell: the default sensing radius, so that a search looks at nine cells at most.
 const CELL: f64 = 5.0;
@@ -65,7 +88,8 @@ impl Grid {
 
     /// Puts the point at a place, into the set if it was not in it.
     pub fn put(&mut self, id: u32, point: [f64; 2]) {
-        let cell = self.axis(point[1]) * self.side + self.axis(point[0]);
+        let [column, row] = self.cell(point);
+        let cell = row * self.side + column;
         let link = &mut self.links[id as usize];
         link.point = point;
         if link.cell == cell {
@@ -100,27 +124,69 @@ impl Grid {
     /// Calls `found` with id and squared distance from `place` of every point of the area around it; in no useful order.
     #[inline]
     pub fn near(&self, place: [f64; 2], area: Area, mut found: impl FnMut(u32, f64)) {
-        let (low, high, within) = match area {
-            Area::Disc(radius) => {
-                (place.map(|value| value - radius), place.map(|value| value + radius), radius * radius)
-            }
-            Area::Cell([low, high]) => (low, high, f64::INFINITY),
-        };
-        let (left, right) = (self.axis(low[0]), self.axis(high[0]));
-        let (bottom, top) = (self.axis(low[1]), self.axis(high[1]));
+        let search = Search::new(place, area);
+        let [[left, bottom], [right, top]] = self.cells(&search);
         for row in bottom..=top {
-            for cell in row * self.side + left..=row * self.side + right {
-                let mut id = self.heads[cell as usize];
-                while id != NONE {
-                    let Link { point, next, .. } = self.links[id as usize];
-                    let distance = squared_distance(point, place);
-                    if distance <= within && (within.is_finite() || self.is_between(point, low, high)) {
-                        found(id, distance);
-                    }
-                    id = next;
+            for column in left..=right {
+                self.look_into([column, row], &search, &mut found);
+            }
+        }
+    }
+
+    /// The nearest point of an area around `place`; of equally near ones that with the smallest number.
+    #[must_use]
+    pub fn nearest(&self, place: [f64; 2], area: Area) -> Option<u32> {
+        let search = Search::new(place, area);
+        let [[left, bottom], [right, top]] = self.cells(&search);
+        let own = self.cell(place);
+        let mut best = (f64::INFINITY, NONE);
+        let look_into = |cell: [u32; 2], best: &mut (f64, u32)| {
+            self.look_into(cell, &search, &mut |id, distance| {
+                if (distance, id) < *best {
+                    *best = (distance, id);
+                }
+            });
+        };
+        // Items lie on heaps, so where there are any, the own cell mostly has one that is nearer than the other cells are.
+        look_into(own, &mut best);
+        for row in bottom..=top {
+            for column in left..=right {
+                if [column, row] != own && self.distance_to_cell([column, row], place) <= best.0 {
+                    look_into([column, row], &mut best);
                 }
             }
         }
+        (best.1 != NONE).then_some(best.1)
+    }
+
+    /// Calls `found` with the points of one cell that the search looks for.
+    #[inline]
+    fn look_into(&self, [column, row]: [u32; 2], search: &Search, found: &mut impl FnMut(u32, f64)) {
+        let mut id = self.heads[(row * self.side + column) as usize];
+        while id != NONE {
+            let Link { point, next, .. } = self.links[id as usize];
+            let distance = squared_distance(point, search.place);
+            if distance <= search.within
+                && (search.within.is_finite() || self.is_between(point, search.low, search.high))
+            {
+                found(id, distance);
+            }
+            id = next;
+        }
+    }
+
+    /// No point of the cell is nearer than this, squared.
+    fn distance_to_cell(&self, cell: [u32; 2], place: [f64; 2]) -> f64 {
+        let mut squared = 0.0;
+        for axis in 0..2 {
+            let low = f64::from(cell[axis]) * CELL - self.half;
+            // The outermost cells have no outer side; a little less, since rounding may put a point into the next cell.
+            let below = if cell[axis] > 0 { low - place[axis] - 1e-6 } else { 0.0 };
+            let above = if cell[axis] + 1 < self.side { place[axis] - (low + CELL) - 1e-6 } else { 0.0 };
+            let distance = below.max(above).max(0.0);
+            squared += distance * distance;
+        }
+        squared
     }
 
     /// Calls for a point, see [`super::ahead`].
@@ -130,31 +196,21 @@ impl Grid {
 
     /// Calls for the cells that a disc touches.
     pub fn call_for_cells(&self, place: [f64; 2], radius: f64) {
-        let [[left, bottom], [right, top]] =
-            self.corners(place.map(|value| value - radius), place.map(|value| value + radius));
+        let [[left, bottom], [right, top]] = self.cells(&Search::new(place, Area::Disc(radius)));
         for row in bottom..=top {
             call_for_place(&self.heads, (row * self.side + left) as usize);
             call_for_place(&self.heads, (row * self.side + right) as usize);
         }
     }
 
-    /// Calls for the first point of each cell that a disc touches.
-    pub fn call_for_near(&self, place: [f64; 2], radius: f64) {
-        let [[left, bottom], [right, top]] =
-            self.corners(place.map(|value| value - radius), place.map(|value| value + radius));
-        for row in bottom..=top {
-            for cell in row * self.side + left..=row * self.side + right {
-                let head = self.heads[cell as usize];
-                if head != NONE {
-                    self.call_for(head);
-                }
-            }
-        }
+    /// The first and the last cell of a search, by column and row.
+    fn cells(&self, search: &Search) -> [[u32; 2]; 2] {
+        [search.low, search.high].map(|corner| self.cell(corner))
     }
 
-    /// The cells of two corners of a rectangle, by column and row.
-    fn corners(&self, low: [f64; 2], high: [f64; 2]) -> [[u32; 2]; 2] {
-        [low, high].map(|corner| corner.map(|coordinate| self.axis(coordinate)))
+    /// The cell of a place, by column and row.
+    fn cell(&self, place: [f64; 2]) -> [u32; 2] {
+        place.map(|coordinate| self.axis(coordinate))
     }
 
     /// Whether a point lies in a cell: on its lower and left side, on the others only where the arena ends.
@@ -165,7 +221,7 @@ impl Grid {
     /// The cell of a coordinate along one axis; places outside the arena count to its outermost cells.
     fn axis(&self, coordinate: f64) -> u32 {
         // The conversion saturates: anything left of the arena becomes 0.
-        (((coordinate + self.half) / CELL) as u32).min(self.side - 1)
+        (((coordinate + self.half) * (1.0 / CELL)) as u32).min(self.side - 1)
     }
 }
 
@@ -201,6 +257,9 @@ mod tests {
                 let expected: Vec<u32> =
                     all.filter(|&o| squared_distance(grid.point(o), grid.point(id)) <= radius * radius).collect();
                 assert_eq!(found, expected);
+                let distance = |&other: &u32| squared_distance(grid.point(other), grid.point(id));
+                let nearest = expected.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+                assert_eq!(grid.nearest(grid.point(id), Area::Disc(radius)), nearest);
             }
         }
     }

@@ -51,26 +51,29 @@ pub struct Offer {
 }
 
 /// The controller of one agent.
+///
+/// What every step needs stands first and in as few lines of the processor's memory as possible, see [`super::ahead`].
 #[derive(Clone, Debug)]
+#[repr(C, align(64))]
 pub struct Mind {
-    /// The program that will be ticked next.
-    pub program: Program,
-    /// The program before it; shown when it was replaced in the last step.
-    pub replaced: Program,
     /// The step in which the program was taken up; 0 at the start.
     pub since: u32,
-    /// The last fitness of the program before, and of the one before it; 0 unless something asks for them.
-    pub last: [f64; 2],
     /// Feedback B of the last step.
     pub feedback: i32,
     /// Items delivered by the whole swarm when the program was ticked last.
     pub task: u32,
-    /// Squares visited since the program was taken up; their number is exploration E.
-    pub visited: Visited,
-    /// Genomes of other agents.
-    pub storage: Storage,
     /// The agent's own stream for exchange and breeding.
     pub evolution: Stream,
+    /// Genomes of other agents.
+    pub storage: Storage,
+    /// The program that will be ticked next.
+    pub program: Program,
+    /// Squares visited since the program was taken up; their number is exploration E.
+    pub visited: Visited,
+    /// The program before it; shown when it was replaced in the last step.
+    pub replaced: Program,
+    /// The last fitness of the program before, and of the one before it; 0 unless something asks for them.
+    pub last: [f64; 2],
     /// The agent's own stream for what its machine does with a probability.
     pub luck: Stream,
 }

@@ -1,7 +1,5 @@
 //! The unit squares of the arena that an agent has visited.
 
-use super::ahead::call_for;
-
 /// A set of squares that remembers the order of the first visits.
 ///
 /// Programs live for a few steps, so the set is small whatever the arena. The first squares lie in the set itself, where a
@@ -93,13 +91,6 @@ impl Visited {
     #[must_use]
     pub fn squares(&self) -> &[u32] {
         if self.count as usize > FEW { &self.many } else { &self.few[..self.count as usize] }
-    }
-
-    /// Calls for the set, see [`super::ahead`].
-    pub fn call_for(&self) {
-        call_for(&self.few[0]);
-        call_for(&self.few[FEW - 1]);
-        call_for(&self.count);
     }
 
     /// How many squares were visited.

@@ -190,7 +190,7 @@ export const cases = [
       await page.locator('.studies-large').filter({ hasText: 'too large for a page: 768 runs' }).waitFor();
       await eventually(async () => assert.equal(await page.locator('.command').textContent(), 'cargo run --release -- study studies/success.json --out success.csv'));
       await page.locator('.studies-source').filter({ hasText: 'made by the command line and are part of the project: results/success.csv' }).waitFor();
-      await page.locator('.studies-extent').filter({ hasText: '16 of 16 seeds from 1 in each cell.' }).waitFor();
+      await page.locator('.studies-extent').filter({ hasText: '64 of 64 seeds from 1 in each cell.' }).waitFor();
       assert.doesNotMatch((await page.locator('.studies-source').textContent()) ?? '', /another state/);
       await eventually(async () => assert.match((await page.locator('[data-section=paper]').textContent()) ?? '', /BeTr-GEESE, foraging, robust.*not reproduced/));
       assert.equal(await study.csv(), readFileSync(fileURLToPath(new URL('../../results/success.csv', import.meta.url)), 'utf8'));

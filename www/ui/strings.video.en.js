@@ -35,7 +35,7 @@ export const videoText = {
   tree: (/** @type {string} */ said, /** @type {string} */ title) => `${said.replace(/\.$/, '')}. ${title}`,
   size: 'Pixels',
   extent: (/** @type {number} */ frames, /** @type {string} */ seconds, /** @type {number} */ rate) => `${frames} pictures, ${seconds} s at ${rate === 1 ? '1 picture' : `${rate} pictures`} a second.`,
-  tooLong: (/** @type {number} */ frames, /** @type {number} */ most) => `${frames} pictures are too many to hold at once: at most ${most}. Take a shorter stretch, or more of it per picture.`,
+  tooLong: (/** @type {number} */ frames, /** @type {number} */ most) => `${frames} pictures are too many to hold at once: at most ${most}. Take a shorter stretch, or, where there is a choice, more of it per picture.`,
   start: 'Film',
   stop: 'Stop',
   progress: 'Pictures made',

@@ -40,6 +40,11 @@ pub fn call_for_place<T>(list: &[T], place: usize) {
     let _ = (list, place);
 }
 
+/// Calls for a whole list.
+fn call_for_all<T>(list: &[T]) {
+    (0..list.len()).step_by((LINE / size_of::<T>()).max(1)).for_each(|place| call_for_place(list, place));
+}
+
 impl State {
     /// Calls for what the agents after that turn will need.
     ///
@@ -59,11 +64,10 @@ impl State {
         if let Some(&agent) = self.order.get(turn + POINTED) {
             let mind = &self.minds[agent as usize];
             if let Controller::Tree(Planted { tree, trace }) = &mind.program.controller {
-                (0..tree.nodes().len()).step_by(2).for_each(|node| call_for_place(tree.nodes(), node));
-                (0..trace.len()).step_by(8).for_each(|node| call_for_place(trace, node));
+                call_for_all(tree.nodes());
+                call_for_all(trace);
             }
-            let entries = mind.storage.entries();
-            (0..=entries.len()).step_by(2).for_each(|entry| call_for_place(entries, entry));
+            call_for_all(mind.storage.entries());
             let place = self.field.agents.point(agent);
             self.field.agents.call_for_cells(place, radius);
         }

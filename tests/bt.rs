@@ -37,14 +37,36 @@ struct Bench {
     script: Script,
 }
 
-fn parallel(success_count: i32, failure_count: i32) -> Kind<usize> {
-    Builtin::Parallel { success_count: success_count.into(), failure_count: failure_count.into() }.into()
+/// A node to be built.
+enum Made {
+    Kind(Kind<usize>),
+    Builtin(Builtin),
 }
 
-/// A tree of `kind` over one leaf for each script.
-fn bench(kind: Kind<usize>, statuses: &[&[Status]]) -> Bench {
+impl From<Kind<usize>> for Made {
+    fn from(kind: Kind<usize>) -> Self {
+        Self::Kind(kind)
+    }
+}
+
+impl Made {
+    fn open(self, builder: &mut Builder<usize>) {
+        let kind = match self {
+            Self::Kind(kind) => kind,
+            Self::Builtin(builtin) => builder.builtin(builtin),
+        };
+        builder.open(kind);
+    }
+}
+
+fn parallel(success_count: i32, failure_count: i32) -> Made {
+    Made::Builtin(Builtin::Parallel { success_count: success_count.into(), failure_count: failure_count.into() })
+}
+
+/// A tree of `node` over one leaf for each script.
+fn bench(node: impl Into<Made>, statuses: &[&[Status]]) -> Bench {
     let mut builder = Builder::default();
-    builder.open(kind);
+    node.into().open(&mut builder);
     (0..statuses.len()).for_each(|leaf| builder.leaf(leaf));
     builder.close();
     let tree = builder.finish().expect("a tree");
@@ -275,10 +297,10 @@ fn ticks_without_a_memory_are_the_ticks_with_one() {
 
 #[test]
 fn nodes_that_need_a_memory_are_refused_without_one() {
-    for kind in [Kind::SequenceWithMemory, parallel(1, 1)] {
+    for node in [Kind::SequenceWithMemory.into(), parallel(1, 1)] {
         let mut builder = Builder::default();
         builder.open(Kind::Sequence);
-        builder.open(kind);
+        node.open(&mut builder);
         builder.leaf(0);
         builder.close();
         builder.close();

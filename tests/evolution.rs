@@ -131,7 +131,7 @@ fn fixed_crossover_keeps_the_length() {
     let father = Genome { codons: (100..110).collect(), used: 5 };
     let (mut a, mut b) = (Genome::default(), Genome::default());
     for _ in 0..100 {
-        fixed_one_point(&mut rng, [&mother, &father], 25, [&mut a, &mut b]);
+        fixed_one_point(&mut rng, [mother.view(), father.view()], 25, [&mut a, &mut b]);
         let cut = a.codons.iter().take_while(|&&codon| codon < 100).count();
         assert!((1..=5).contains(&cut));
         let expected: Vec<u16> = (0..cut as u16).chain(100 + cut as u16..110).collect();
@@ -155,7 +155,7 @@ fn crossover_exchanges_the_tails_behind_cuts_in_the_used_part() {
     let (mut a, mut b) = (Genome::default(), Genome::default());
     let mut seen = [[false; 5]; 3];
     for _ in 0..200 {
-        variable_one_point(&mut rng, [&mother, &father], 25, [&mut a, &mut b]);
+        variable_one_point(&mut rng, [mother.view(), father.view()], 25, [&mut a, &mut b]);
         let cut = a.codons.iter().take_while(|&&codon| codon < 100).count();
         let other = b.codons.iter().take_while(|&&codon| codon >= 100).count();
         assert!((1..=4).contains(&cut) && (1..=2).contains(&other));

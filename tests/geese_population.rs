@@ -135,6 +135,10 @@ fn what_is_no_population_is_refused_with_the_path() {
         "members[0].genome: expected a list of whole numbers from 0 to 65535"
     );
     assert_eq!(
+        refused(&file(json!([{"fitness": 1, "genome": vec![0; 1001]}]))),
+        "members[0].genome: expected 1000 codons at most, found 1001"
+    );
+    assert_eq!(
         refused(&file(json!([{"fitness": 1, "genome": [0]}]))),
         "members[0].genome: expected codons of a program of the grammar, found none"
     );

@@ -257,7 +257,7 @@ impl Compiler<'_> {
                 }));
             }
         };
-        Some(builtin.into())
+        Some(self.builder.builtin(builtin))
     }
 }
 

@@ -2,12 +2,15 @@
 
 use super::builtin::{BoundScript, Builtin, Key, LoopType, Source};
 use super::tick::{Broken, Host, Ticking};
-use super::{NodeId, Recorder, Status, Value};
+use super::tree::BuiltinId;
+use super::{NodeId, Recorder, Status, Tree, Value};
 
 impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     /// Apart from the other kinds, whose ticks stay short without it.
     #[inline(never)]
-    pub(super) fn tick_builtin(&mut self, node: NodeId, builtin: &'a Builtin) -> Result<Status, Broken> {
+    pub(super) fn tick_builtin(&mut self, node: NodeId, id: BuiltinId) -> Result<Status, Broken> {
+        let tree: &'a Tree<L> = self.tree;
+        let Some(builtin) = tree.builtin(id) else { return Err(self.error(node, "expected a node of this tree")) };
         let starts = self.slot(node).status != Status::Running;
         // Decorators that may return without a tick of their child must not count as started then.
         let marks_itself = !matches!(
@@ -79,7 +82,9 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     }
 
     /// What halting does besides halting the children. `in_block` is the cursor as it was before.
-    pub(super) fn halt_builtin(&mut self, node: NodeId, builtin: &'a Builtin, in_block: u32) {
+    pub(super) fn halt_builtin(&mut self, node: NodeId, id: BuiltinId, in_block: u32) {
+        let tree: &'a Tree<L> = self.tree;
+        let Some(builtin) = tree.builtin(id) else { return };
         match builtin {
             // They remember for ever.
             Builtin::RunOnce { .. } | Builtin::WasEntryUpdated { .. } => {}

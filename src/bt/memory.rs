@@ -3,9 +3,9 @@
 use super::blackboard::{Boards, Entry, EntryId, MAIN};
 use super::builtin::{BoundScript, Extra, Key, Source};
 use super::script::Entries;
+use super::tree::Rest;
 use super::{NodeId, Status, Tree, Value};
 use crate::fingerprint::Fingerprint;
-use std::sync::Arc;
 
 /// The state of a tree; made for one tree, and good for no other.
 #[derive(Clone, Debug, Default)]
@@ -223,7 +223,7 @@ impl Entries for Scope<'_> {
 #[derive(Debug)]
 pub struct Ports<'a> {
     pub(super) memory: &'a mut Memory,
-    pub(super) extras: &'a [Option<Arc<Extra>>],
+    pub(super) rest: Option<&'a Rest>,
     pub(super) node: NodeId,
 }
 
@@ -236,7 +236,7 @@ impl Ports<'_> {
 
     /// Looked up only by leaves that ask, not in each tick.
     fn extra(&self) -> Option<&Extra> {
-        self.extras.get(self.node.index())?.as_deref()
+        self.rest?.extra(self.node)
     }
 
     fn source(&self, port: &str) -> Option<&Source> {

@@ -53,7 +53,7 @@ pub use instant::tick_instant;
 pub use memory::{Memory, Ports};
 pub use recorder::{Recorder, Silent};
 pub use tick::{Host, TickError, halt_tree, pass_time, tick_exactly_once, tick_once};
-pub use tree::{BuildError, Builder, Children, Kind, Node, NodeId, Tree};
+pub use tree::{BuildError, Builder, BuiltinId, Children, Kind, Node, NodeId, Tree};
 pub use value::Value;
 
 /// What a node returned, or IDLE when it returned nothing since its parent was reset.

@@ -125,8 +125,8 @@ pub fn pass_time<L, H: Host<L>, R: Recorder>(
             continue;
         }
         ticking.memory.wake_up = true;
-        if let Kind::Builtin(builtin) = &tree.nodes()[node.index()].kind
-            && matches!(**builtin, Builtin::Timeout { .. })
+        if let Kind::Builtin(id) = tree.nodes()[node.index()].kind
+            && matches!(tree.builtin(id), Some(Builtin::Timeout { .. }))
             && ticking.memory.status(NodeId(node.0 + 1)) == Status::Running
         {
             ticking.slot(node).count = 1;
@@ -199,7 +199,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         }
         match kind {
             Kind::Leaf(leaf) => {
-                let mut ports = Ports { extras: self.tree.extras(), memory: self.memory, node };
+                let mut ports = Ports { rest: self.tree.rest(), memory: self.memory, node };
                 match self.host.tick(node, leaf, &mut ports) {
                     Status::Idle => Err(self.error(node, "expected a status from the leaf, found IDLE")),
                     status => Ok(status),
@@ -217,7 +217,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
             }),
             Kind::ForceSuccess => self.only_child(node).map(|status| forced(status, Status::Success)),
             Kind::ForceFailure => self.only_child(node).map(|status| forced(status, Status::Failure)),
-            Kind::Builtin(builtin) => self.tick_builtin(node, builtin),
+            Kind::Builtin(id) => self.tick_builtin(node, *id),
         }
     }
 
@@ -288,7 +288,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
     /// Notes why the tick has ended.
     #[cold]
     pub(super) fn error(&mut self, node: NodeId, cause: impl Into<String>) -> Broken {
-        let kind = self.tree.nodes()[node.index()].kind.name();
+        let kind = self.tree.kind_name(node);
         let name = self.tree.extra(node).map_or("", |extra| extra.name.as_str());
         let name = if name.is_empty() || name == kind { kind.to_owned() } else { format!("{kind} \"{name}\"") };
         self.broken = Some(TickError { node, name, cause: cause.into() });
@@ -339,7 +339,7 @@ impl<'a, L, H: Host<L>, R: Recorder> Ticking<'a, L, H, R> {
         match kind {
             Kind::Leaf(leaf) => self.host.halt(node, leaf),
             Kind::SequenceWithMemory => {}
-            Kind::Builtin(builtin) => self.halt_builtin(node, builtin, in_block),
+            Kind::Builtin(id) => self.halt_builtin(node, *id, in_block),
             _ => self.slot(node).cursor = 0,
         }
     }

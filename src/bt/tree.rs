@@ -17,6 +17,10 @@ impl NodeId {
     }
 }
 
+/// The number of a built-in node with ports among those of its tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BuiltinId(u32);
+
 /// What a node does with its children, or the leaf that the host runs.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Kind<L> {
@@ -36,49 +40,10 @@ pub enum Kind<L> {
     ForceSuccess,
     /// Any completion becomes FAILURE.
     ForceFailure,
-    /// Any other built-in node; shared, so that trees stay small and copies cheap.
-    Builtin(Arc<Builtin>),
+    /// Any other built-in node, by its number ([`Builder::builtin`]): nodes stay small, which crowds of trees feel.
+    Builtin(BuiltinId),
     /// A condition or an action of the world.
     Leaf(L),
-}
-
-impl<L> From<Builtin> for Kind<L> {
-    fn from(builtin: Builtin) -> Self {
-        Self::Builtin(Arc::new(builtin))
-    }
-}
-
-impl<L> Kind<L> {
-    /// The registered name in `BehaviorTree.CPP`; `Leaf` for leaves, whose names belong to the world.
-    #[must_use]
-    pub fn name(&self) -> &'static str {
-        match self {
-            Self::Sequence => "Sequence",
-            Self::SequenceWithMemory => "SequenceWithMemory",
-            Self::ReactiveSequence => "ReactiveSequence",
-            Self::Fallback => "Fallback",
-            Self::ReactiveFallback => "ReactiveFallback",
-            Self::Inverter => "Inverter",
-            Self::ForceSuccess => "ForceSuccess",
-            Self::ForceFailure => "ForceFailure",
-            Self::Builtin(builtin) => builtin.name(),
-            Self::Leaf(_) => "Leaf",
-        }
-    }
-
-    /// How many children the kind takes: least and most (`None`: no bound).
-    fn arity(&self) -> (usize, Option<usize>) {
-        match self {
-            Self::Sequence
-            | Self::SequenceWithMemory
-            | Self::ReactiveSequence
-            | Self::Fallback
-            | Self::ReactiveFallback => (1, None),
-            Self::Inverter | Self::ForceSuccess | Self::ForceFailure => (1, Some(1)),
-            Self::Builtin(builtin) => builtin.arity(),
-            Self::Leaf(_) => (0, Some(0)),
-        }
-    }
 }
 
 /// One node of the arena.
@@ -94,11 +59,50 @@ pub struct Node<L> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tree<L> {
     nodes: Vec<Node<L>>,
-    /// What nodes have besides their kind, up to the last node that has anything.
-    extras: Vec<Option<Arc<Extra>>>,
     /// One past the last node that has scripts, so that the ticks of a tree without any look at no node's extras.
     scripts_end: u32,
-    boards: Option<Arc<Boards>>,
+    /// What only some trees have; shared by copies.
+    rest: Option<Arc<Rest>>,
+}
+
+/// What a tree has besides its nodes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Rest {
+    builtins: Vec<Builtin>,
+    /// What nodes have besides their kind, up to the last node that has anything.
+    extras: Vec<Option<Extra>>,
+    boards: Option<Boards>,
+}
+
+impl Rest {
+    /// What a node has besides its kind.
+    pub fn extra(&self, node: NodeId) -> Option<&Extra> {
+        self.extras.get(node.index())?.as_ref()
+    }
+
+    fn is_empty(&self) -> bool {
+        self.builtins.is_empty() && self.extras.is_empty() && self.boards.is_none()
+    }
+
+    /// The name in `BehaviorTree.CPP` and how many children a kind takes: least and most (`None`: no bound).
+    fn describe<L>(&self, kind: &Kind<L>) -> (&'static str, (usize, Option<usize>)) {
+        let many = (1, None);
+        let one = (1, Some(1));
+        match kind {
+            Kind::Sequence => ("Sequence", many),
+            Kind::SequenceWithMemory => ("SequenceWithMemory", many),
+            Kind::ReactiveSequence => ("ReactiveSequence", many),
+            Kind::Fallback => ("Fallback", many),
+            Kind::ReactiveFallback => ("ReactiveFallback", many),
+            Kind::Inverter => ("Inverter", one),
+            Kind::ForceSuccess => ("ForceSuccess", one),
+            Kind::ForceFailure => ("ForceFailure", one),
+            Kind::Leaf(_) => ("Leaf", (0, Some(0))),
+            Kind::Builtin(id) => {
+                self.builtins.get(id.0 as usize).map_or(("", many), |builtin| (builtin.name(), builtin.arity()))
+            }
+        }
+    }
 }
 
 impl<L> Tree<L> {
@@ -108,11 +112,24 @@ impl<L> Tree<L> {
         &self.nodes
     }
 
+    /// The registered name of a node's kind in `BehaviorTree.CPP`; `Leaf` for leaves, whose names belong to the world.
+    #[must_use]
+    pub fn kind_name(&self, node: NodeId) -> &'static str {
+        let kind = &self.nodes[node.index()].kind;
+        self.rest.as_deref().map_or_else(|| Rest::default().describe(kind).0, |rest| rest.describe(kind).0)
+    }
+
+    /// A built-in node with its ports; `None` for one of another tree.
+    #[inline]
+    pub(super) fn builtin(&self, id: BuiltinId) -> Option<&Builtin> {
+        self.rest.as_ref()?.builtins.get(id.0 as usize)
+    }
+
     /// Name, conditions and ports of a node, if it was given any.
     #[must_use]
     #[inline]
     pub fn extra(&self, node: NodeId) -> Option<&Extra> {
-        self.extras.get(node.index()).and_then(Option::as_deref)
+        self.rest.as_ref()?.extra(node)
     }
 
     /// The scripts around a node's tick.
@@ -124,15 +141,16 @@ impl<L> Tree<L> {
         self.extra(node).and_then(|extra| extra.scripts.as_deref())
     }
 
-    /// What every node has besides its kind.
-    pub(super) fn extras(&self) -> &[Option<Arc<Extra>>] {
-        &self.extras
+    /// What the tree has besides its nodes.
+    #[inline]
+    pub(super) fn rest(&self) -> Option<&Rest> {
+        self.rest.as_deref()
     }
 
     /// The blackboards; `None` for a tree that uses none.
     #[must_use]
     pub fn boards(&self) -> Option<&Boards> {
-        self.boards.as_deref()
+        self.rest.as_ref()?.boards.as_ref()
     }
 
     /// The same tree with other leaves, so that a world can look at names and ports once instead of in every tick.
@@ -140,7 +158,7 @@ impl<L> Tree<L> {
     /// - `leaf`: makes the new leaf from the old one and from what its node has besides.
     #[must_use]
     pub fn map_leaves<M>(self, mut leaf: impl FnMut(L, Option<&Extra>) -> M) -> Tree<M> {
-        let Self { nodes, extras, scripts_end, boards } = self;
+        let Self { nodes, scripts_end, rest } = self;
         let nodes = nodes.into_iter().enumerate().map(|(index, node)| {
             let kind = match node.kind {
                 Kind::Sequence => Kind::Sequence,
@@ -151,12 +169,14 @@ impl<L> Tree<L> {
                 Kind::Inverter => Kind::Inverter,
                 Kind::ForceSuccess => Kind::ForceSuccess,
                 Kind::ForceFailure => Kind::ForceFailure,
-                Kind::Builtin(builtin) => Kind::Builtin(builtin),
-                Kind::Leaf(old) => Kind::Leaf(leaf(old, extras.get(index).and_then(Option::as_deref))),
+                Kind::Builtin(id) => Kind::Builtin(id),
+                Kind::Leaf(old) => {
+                    Kind::Leaf(leaf(old, rest.as_ref().and_then(|rest| rest.extra(NodeId(index as u32)))))
+                }
             };
             Node { kind, end: node.end }
         });
-        Tree { nodes: nodes.collect(), extras, scripts_end, boards }
+        Tree { nodes: nodes.collect(), scripts_end, rest }
     }
 
     /// The ids of the children of `node`, left to right.
@@ -232,9 +252,8 @@ impl std::error::Error for BuildError {}
 #[derive(Clone, Debug)]
 pub struct Builder<L> {
     nodes: Vec<Node<L>>,
-    extras: Vec<Option<Arc<Extra>>>,
     scripts_end: u32,
-    boards: Option<Box<Boards>>,
+    rest: Rest,
     open: Vec<NodeId>,
     /// The first fault; later calls are ignored.
     fault: Option<BuildError>,
@@ -242,7 +261,7 @@ pub struct Builder<L> {
 
 impl<L> Default for Builder<L> {
     fn default() -> Self {
-        Self { nodes: Vec::new(), extras: Vec::new(), scripts_end: 0, boards: None, open: Vec::new(), fault: None }
+        Self { nodes: Vec::new(), scripts_end: 0, rest: Rest::default(), open: Vec::new(), fault: None }
     }
 }
 
@@ -263,14 +282,21 @@ impl<L> Builder<L> {
             if extra.scripts.is_some() {
                 self.scripts_end = self.scripts_end.max(id.0 + 1);
             }
-            self.extras.resize(id.index(), None);
-            self.extras.push(Some(Arc::new(extra)));
+            self.rest.extras.resize_with(id.index(), || None);
+            self.rest.extras.push(Some(extra));
         }
+    }
+
+    /// Keeps a built-in node with its ports; returns the kind of a node that is one, for [`Builder::open`].
+    pub fn builtin(&mut self, builtin: Builtin) -> Kind<L> {
+        let id = BuiltinId(self.rest.builtins.len() as u32);
+        self.rest.builtins.push(builtin);
+        Kind::Builtin(id)
     }
 
     /// The blackboards of the tree being built; asking for them makes them.
     pub fn boards(&mut self) -> &mut Boards {
-        self.boards.get_or_insert_default()
+        self.rest.boards.get_or_insert_default()
     }
 
     /// Adds a leaf.
@@ -287,8 +313,7 @@ impl<L> Builder<L> {
             return;
         };
         self.nodes[id.index()].end = end;
-        let kind = &self.nodes[id.index()].kind;
-        let (least, most) = kind.arity();
+        let (name, (least, most)) = self.rest.describe(&self.nodes[id.index()].kind);
         let found = Children { nodes: &self.nodes, next: id.0 + 1, end }.count();
         if (found < least || most.is_some_and(|most| found > most)) && self.fault.is_none() {
             let takes = match (least, most) {
@@ -297,7 +322,7 @@ impl<L> Builder<L> {
                 (2, None) => "at least 2 children",
                 (_, None) => "at least 1 child",
             };
-            self.fault = Some(BuildError::Children(id, (kind.name(), takes), found));
+            self.fault = Some(BuildError::Children(id, (name, takes), found));
         }
     }
 
@@ -306,7 +331,7 @@ impl<L> Builder<L> {
     /// # Errors
     /// The first fault: no node, a second root, unbalanced nodes, a wrong number of children.
     pub fn finish(&mut self) -> Result<Tree<L>, BuildError> {
-        let mut tree = Tree { nodes: Vec::new(), extras: Vec::new(), scripts_end: 0, boards: None };
+        let mut tree = Tree { nodes: Vec::new(), scripts_end: 0, rest: None };
         self.finish_into(&mut tree)?;
         Ok(tree)
     }
@@ -324,13 +349,13 @@ impl<L> Builder<L> {
         };
         if fault.is_none() {
             std::mem::swap(&mut tree.nodes, &mut self.nodes);
-            std::mem::swap(&mut tree.extras, &mut self.extras);
             tree.scripts_end = self.scripts_end;
-            tree.boards = self.boards.take().map(Arc::from);
+            tree.rest = (!self.rest.is_empty()).then(|| Arc::new(std::mem::take(&mut self.rest)));
         }
-        self.boards = None;
         self.scripts_end = 0;
-        self.extras.clear();
+        if !self.rest.is_empty() {
+            self.rest = Rest::default();
+        }
         self.nodes.clear();
         self.open.clear();
         fault.map_or(Ok(()), Err)

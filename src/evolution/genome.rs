@@ -32,6 +32,30 @@ impl Genome {
         self.used = 0;
     }
 
+    /// The same genome, borrowed.
+    #[must_use]
+    pub fn view(&self) -> GenomeRef<'_> {
+        GenomeRef { codons: &self.codons, used: self.used }
+    }
+
+    /// Becomes a copy; allocates nothing when there is capacity.
+    pub fn copy_from(&mut self, source: GenomeRef) {
+        self.codons.clear();
+        self.codons.extend_from_slice(source.codons);
+        self.used = source.used;
+    }
+}
+
+/// A genome that lies elsewhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GenomeRef<'a> {
+    /// As [`Genome::codons`].
+    pub codons: &'a [u16],
+    /// As [`Genome::used`].
+    pub used: u16,
+}
+
+impl GenomeRef<'_> {
     /// How many codons, from the first, crossover and mutation may touch: the used ones, or all of a genome that
     /// maps to nothing. Wraps can use more codons than there are; then it is all of them.
     #[must_use]

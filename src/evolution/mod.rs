@@ -10,7 +10,7 @@ mod mapping;
 mod operators;
 
 pub use cases::Cases;
-pub use genome::Genome;
+pub use genome::{Genome, GenomeRef};
 pub use grammar::{AlternativeId, Grammar, GrammarError, RuleId, Symbol, TerminalId};
 pub use growth::grow;
 pub use mapping::{Codons, Derivation, Invalid, Limits, Mapped, Mapper, Phenotype};

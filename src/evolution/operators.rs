@@ -1,6 +1,6 @@
 //! Selection, crossover and mutation.
 
-use super::Genome;
+use super::{Genome, GenomeRef};
 use crate::random::Stream;
 use rand::RngExt;
 
@@ -56,29 +56,29 @@ pub fn tournament(rng: &mut Stream, fitness: &[f64], size: u32) -> usize {
 /// each parent, so that both heads have at least one codon. A child longer than `longest` loses its end.
 ///
 /// Source: BeTr-GEESE, Table 1 ("variable onepoint"); cuts within the used part as in `PonyGE2`.
-pub fn variable_one_point(rng: &mut Stream, parents: [&Genome; 2], longest: u16, children: [&mut Genome; 2]) {
+pub fn variable_one_point(rng: &mut Stream, parents: [GenomeRef; 2], longest: u16, children: [&mut Genome; 2]) {
     exchange_tails(parents, variable_cuts(rng, parents), longest, children);
 }
 
 /// Fixed one-point crossover: both parents are cut at the same random point within the shorter active part, so that
 /// parents of equal length have children of that length. Otherwise as [`variable_one_point`].
-pub fn fixed_one_point(rng: &mut Stream, parents: [&Genome; 2], longest: u16, children: [&mut Genome; 2]) {
+pub fn fixed_one_point(rng: &mut Stream, parents: [GenomeRef; 2], longest: u16, children: [&mut Genome; 2]) {
     exchange_tails(parents, fixed_cuts(rng, parents), longest, children);
 }
 
 /// How many codons of each parent stay in front in [`variable_one_point`].
-pub fn variable_cuts(rng: &mut Stream, parents: [&Genome; 2]) -> [usize; 2] {
+pub fn variable_cuts(rng: &mut Stream, parents: [GenomeRef; 2]) -> [usize; 2] {
     parents.map(|parent| rng.random_range(1..=parent.active().max(1) as u32) as usize)
 }
 
 /// How many codons of each parent stay in front in [`fixed_one_point`].
-pub fn fixed_cuts(rng: &mut Stream, parents: [&Genome; 2]) -> [usize; 2] {
+pub fn fixed_cuts(rng: &mut Stream, parents: [GenomeRef; 2]) -> [usize; 2] {
     let shorter = parents[0].active().min(parents[1].active()).max(1);
     [rng.random_range(1..=shorter as u32) as usize; 2]
 }
 
 /// The children of two parents that exchange what stands behind their cuts; a child longer than `longest` loses its end.
-pub fn exchange_tails(parents: [&Genome; 2], cuts: [usize; 2], longest: u16, children: [&mut Genome; 2]) {
+pub fn exchange_tails(parents: [GenomeRef; 2], cuts: [usize; 2], longest: u16, children: [&mut Genome; 2]) {
     for (child, (head, tail)) in children.into_iter().zip([(0, 1), (1, 0)]) {
         child.used = 0;
         child.codons.clear();

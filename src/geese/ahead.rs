@@ -45,7 +45,22 @@ fn call_for_all<T>(list: &[T]) {
     (0..list.len()).step_by((LINE / size_of::<T>()).max(1)).for_each(|place| call_for_place(list, place));
 }
 
+fn call_for_tree(Planted { tree, trace }: &Planted) {
+    call_for_all(tree.nodes());
+    call_for_all(trace);
+}
+
 impl State {
+    /// Calls for the memory of the programs that will be taken up next.
+    pub(super) fn call_for_replaced(&self) {
+        if !reads_ahead(self.order.len()) {
+            return;
+        }
+        if let Some(Controller::Tree(planted)) = self.replaced.next(3).map(|program| &program.controller) {
+            call_for_tree(planted);
+        }
+    }
+
     /// Calls for what the agents after that turn will need.
     ///
     /// - `radius`: within which they sense.
@@ -59,13 +74,12 @@ impl State {
             self.field.agents.call_for(agent);
             // Its first field stands at the start of a line.
             let since = std::slice::from_ref(&self.minds[agent as usize].since);
-            (0..offset_of!(Mind, replaced)).step_by(LINE).for_each(|at| call_for_place(since, at / size_of::<u32>()));
+            (0..offset_of!(Mind, last)).step_by(LINE).for_each(|at| call_for_place(since, at / size_of::<u32>()));
         }
         if let Some(&agent) = self.order.get(turn + POINTED) {
             let mind = &self.minds[agent as usize];
-            if let Controller::Tree(Planted { tree, trace }) = &mind.program.controller {
-                call_for_all(tree.nodes());
-                call_for_all(trace);
+            if let Controller::Tree(planted) = &mind.program.controller {
+                call_for_tree(planted);
             }
             call_for_all(mind.storage.entries());
             let place = self.field.agents.point(agent);

@@ -1,7 +1,7 @@
 //! What a swarm took up while it learned: a fair sample of it, for a fixed population of more than the last programs.
 
 use super::population::{Member, Population};
-use crate::evolution::Genome;
+use crate::evolution::GenomeRef;
 use crate::fingerprint::Fingerprint;
 use crate::random::{Purpose, Seed, Stream, stream};
 use rand::RngExt;
@@ -31,16 +31,17 @@ impl Archive {
     }
 
     /// A genome that an agent has taken up.
-    pub fn add(&mut self, genome: &Genome) {
+    pub fn add(&mut self, genome: GenomeRef) {
         self.seen = self.seen.saturating_add(1);
         let sample = Arc::make_mut(&mut self.sample);
         if sample.len() < SIZE as usize {
-            sample.push(genome.codons.clone());
+            sample.push(genome.codons.to_vec());
             return;
         }
         let place = self.luck.random_range(0..self.seen);
         if let Some(former) = sample.get_mut(place as usize) {
-            former.clone_from(&genome.codons);
+            former.clear();
+            former.extend_from_slice(genome.codons);
         }
     }
 
@@ -77,7 +78,7 @@ mod tests {
         for seed in 0..40 {
             let mut archive = Archive::new(Seed::new(seed).expect("small"));
             for codon in 0..4 * SIZE as u16 {
-                archive.add(&Genome { codons: vec![codon], used: 1 });
+                archive.add(GenomeRef { codons: &[codon], used: 1 });
             }
             let members = archive.population().expect("genomes").members;
             assert_eq!(members.len(), SIZE as usize);

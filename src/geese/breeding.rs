@@ -1,7 +1,8 @@
 //! The act phase: parents from the pool, children by crossover and mutation, the most diverse child.
 
+use super::ahead::reads_ahead;
 use super::brood::Brood;
-use super::genomes::Genomes;
+use super::genomes::{GenomeId, Genomes};
 use super::mind::{Entry, Offer};
 use super::params::{CrossoverMode, GenomeSelection, MutationMode, Params, ParentSelection};
 use super::program::{Compiler, Survey};
@@ -38,11 +39,20 @@ pub struct Breeder {
     growing: Vec<(RuleId, u32)>,
 }
 
-/// The child that was chosen.
+/// The genome that was chosen.
+#[derive(Clone, Copy, Debug)]
+pub enum Winner<'a> {
+    /// A genome of the pool.
+    Elite(GenomeId),
+    /// A new one.
+    Bred(&'a Genome),
+}
+
+/// What breeding chose.
 #[derive(Clone, Debug)]
 pub struct Best<'a> {
     /// Its genome, mapped.
-    pub genome: &'a Genome,
+    pub genome: Winner<'a>,
     /// Its diversity.
     pub diversity: f64,
 }
@@ -114,7 +124,7 @@ impl Breeder {
             let mut genome = std::mem::take(&mut self.best);
             let survey = self.genesis(params, rng, &mut genome);
             self.best = genome;
-            return survey.map(|survey| Best { genome: &self.best, diversity: survey.diversity });
+            return survey.map(|survey| Best { genome: Winner::Bred(&self.best), diversity: survey.diversity });
         }
         let Self { compiler, mutation, pool, fitness, sorted, parents, children, best, brood, .. } = self;
         let of = |source: &Source| match *source {
@@ -135,7 +145,7 @@ impl Breeder {
         }
         // The elite is kept by fitness and stands before the children, so it wins where they are no better. The authors'
         // code compares its fitness with the children's diversity.
-        let mut found: Option<f64> = None;
+        let (mut found, mut kept): (Option<f64>, Option<GenomeId>) = (None, None);
         let by_fitness = params.genome_selection == GenomeSelection::Tournament;
         brood.clear();
         let mut diversity = 0.0;
@@ -148,12 +158,16 @@ impl Breeder {
             if by_fitness {
                 brood.add(genome_of(elite), diversity_of(elite), fitness[elite as usize]);
             } else if found.is_none_or(|best| rank > best) {
-                (found, diversity) = (Some(rank), diversity_of(elite));
-                best.clone_from(genome_of(elite));
+                (found, kept, diversity) = (Some(rank), Some(offer(elite).genome), diversity_of(elite));
             }
         }
 
         fittest(fitness, parent_count(fitness.len(), params.parent_share), sorted, parents);
+        if reads_ahead(offers.len()) {
+            for &parent in &*parents {
+                genomes.call_for(offer(parent).genome);
+            }
+        }
         let greatest = compiler.greatest_diversity();
         // No later child can be better than the greatest, and the first of equal ones is taken: the rest need no look.
         let is_decided = |found: Option<f64>| match params.genome_selection {
@@ -187,16 +201,16 @@ impl Breeder {
                 }
                 exchange_tails([a, b], cuts, params.genome_length, [&mut *first, &mut *second]);
             } else {
-                first.clone_from(a);
-                second.clone_from(b);
+                first.copy_from(a);
+                second.copy_from(b);
             }
             for child in [first, second].into_iter().take((params.children - bred) as usize) {
                 bred += 1;
                 let Some(survey) = compiler.survey(child, Some(mutation.begin(rng))) else { continue };
                 if by_fitness {
-                    brood.add(child, survey.diversity, inherited);
+                    brood.add(child.view(), survey.diversity, inherited);
                 } else if found.is_none_or(|best| survey.diversity > best) {
-                    (found, diversity) = (Some(survey.diversity), survey.diversity);
+                    (found, kept, diversity) = (Some(survey.diversity), None, survey.diversity);
                     std::mem::swap(best, child);
                 }
                 if is_decided(found) {
@@ -206,9 +220,9 @@ impl Breeder {
         }
         if by_fitness {
             let diversity = brood.winner(rng, params.tournament_size, best)?;
-            return Some(Best { genome: best, diversity });
+            return Some(Best { genome: Winner::Bred(best), diversity });
         }
-        found.map(|_| Best { genome: best, diversity })
+        found.map(|_| Best { genome: kept.map_or(Winner::Bred(best), Winner::Elite), diversity })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Elite and children from among which a tournament takes an agent's next program.
 
-use crate::evolution::{Genome, tournament};
+use crate::evolution::{Genome, GenomeRef, tournament};
 use crate::random::Stream;
 
 /// Genomes with what they are worth. Emptied ones keep their memory for later ones.
@@ -20,11 +20,12 @@ impl Brood {
     }
 
     /// Adds a copy of a genome.
-    pub fn add(&mut self, genome: &Genome, diversity: f64, fitness: f64) {
-        match self.genomes.get_mut(self.fitness.len()) {
-            Some(place) => place.clone_from(genome),
-            None => self.genomes.push(genome.clone()),
+    pub fn add(&mut self, genome: GenomeRef, diversity: f64, fitness: f64) {
+        let place = self.fitness.len();
+        if place == self.genomes.len() {
+            self.genomes.push(Genome::default());
         }
+        self.genomes[place].copy_from(genome);
         self.diversity.push(diversity);
         self.fitness.push(fitness);
     }

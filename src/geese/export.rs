@@ -16,8 +16,8 @@ use crate::bt::{Kind, NodeId, Tree};
 #[must_use]
 pub fn export_agent(world: &World, agent: u32) -> Option<String> {
     let state = world.state();
-    let mind = state.minds.get(agent as usize)?;
-    Some(match &mind.ran(state.tick).controller {
+    state.minds.get(agent as usize)?;
+    Some(match &state.ran(agent).controller {
         Controller::Tree(planted) => write_xml(&planted.tree, &format!("Agent_{agent}")),
         Controller::Machine(machine) => write_rules(machine),
     })
@@ -38,10 +38,10 @@ pub fn write_rules(machine: &Machine) -> String {
 #[must_use]
 pub fn export_query(world: &World, query: &Query) -> Option<String> {
     let state = world.state();
-    let holds = |id: u64| state.minds.iter().position(|mind| mind.ran(state.tick).id == id);
+    let holds = |id: u64| (0..state.minds.len() as u32).find(|&agent| state.ran(agent).id == id);
     let agent = match (query.agent, &query.program) {
         (Some(agent), _) => agent,
-        (None, Some(program)) => holds(u64::from_str_radix(program, 16).ok()?)? as u32,
+        (None, Some(program)) => holds(u64::from_str_radix(program, 16).ok()?)?,
         (None, None) => return None,
     };
     export_agent(world, agent)
@@ -73,16 +73,14 @@ pub fn write_xml(tree: &Tree<Leaf>, id: &str) -> String {
 }
 
 fn element(tree: &Tree<Leaf>, node: NodeId, indent: &str) -> String {
-    match &tree.nodes()[node.index()].kind {
-        Kind::Leaf(leaf) => leaf_element(*leaf, indent),
-        kind => {
-            let (deeper, mut children) = (format!("{indent}  "), String::new());
-            for child in tree.children(node) {
-                children.push_str(&element(tree, child, &deeper));
-            }
-            format!("{indent}<{0}>\n{children}{indent}</{0}>\n", kind.name())
-        }
+    if let Kind::Leaf(leaf) = &tree.nodes()[node.index()].kind {
+        return leaf_element(*leaf, indent);
     }
+    let (deeper, mut children) = (format!("{indent}  "), String::new());
+    for child in tree.children(node) {
+        children.push_str(&element(tree, child, &deeper));
+    }
+    format!("{indent}<{0}>\n{children}{indent}</{0}>\n", tree.kind_name(node))
 }
 
 fn leaf_element(leaf: Leaf, indent: &str) -> String {

@@ -3,11 +3,11 @@
 use super::controller::{Controller, Planted};
 use super::leaf::{Leaf, Name, Object, Tag};
 use super::machine::Machine;
-use super::mind::{Mind, Trace};
+use super::mind::Trace;
 use super::params::Params;
 use super::showmachine::ShownMachine;
 use super::world::{State, World};
-use crate::bt::{Kind, Tree};
+use crate::bt::{Kind, NodeId, Status, Tree};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -154,15 +154,16 @@ pub fn shown_nodes(tree: &Tree<Leaf>) -> Vec<ShownNode> {
     let nodes = tree.nodes().iter().zip(parents).enumerate();
     nodes
         .map(|(id, (node, parent))| {
+            let kind = tree.kind_name(NodeId(id as u32));
             let (label, tag, negated) = match &node.kind {
                 Kind::Leaf(leaf) => (leaf.to_string(), (leaf.tag != Tag::None).then(|| leaf.tag.text()), leaf.negated),
-                kind => (kind.name().to_owned(), None, false),
+                _ => (kind.to_owned(), None, false),
             };
             ShownNode {
                 id: id as u32,
                 parent: parent.map(|node| node.0),
                 end: node.end,
-                kind: node.kind.name(),
+                kind,
                 label,
                 tag,
                 negated,
@@ -185,18 +186,17 @@ impl Detail {
         let (count, groups) = groups(state);
         let agent = query.agent.filter(|&id| (id as usize) < state.minds.len());
         let program = match (agent, &query.program) {
-            (Some(id), _) => Some(state.minds[id as usize].ran(state.tick).id),
+            (Some(id), _) => Some(state.ran(id).id),
             (None, Some(id)) => u64::from_str_radix(id, 16).ok(),
             (None, None) => groups.first().map(|group| group.0),
         };
-        let held: Vec<u32> = (0..state.minds.len() as u32)
-            .filter(|&id| program == Some(state.minds[id as usize].ran(state.tick).id))
-            .collect();
+        let held: Vec<u32> = (0..state.minds.len() as u32).filter(|&id| program == Some(state.ran(id).id)).collect();
         let shown = agent.map_or_else(|| held.clone(), |id| vec![id]);
         let tree = held.first().map(|_| shown_tree(state, &held, &shown, agent.is_some()));
-        let reached = query.node.zip(tree.as_ref()).map(|(node, _)| {
-            held.iter().copied().filter(|&id| was_reached(state, &state.minds[id as usize], node)).collect()
-        });
+        let reached = query
+            .node
+            .zip(tree.as_ref())
+            .map(|(node, _)| held.iter().copied().filter(|&id| was_reached(state, id, node)).collect());
         Self {
             tick: state.tick,
             programs: Programs { count, top: groups.into_iter().take(TOP).map(|group| group.1).collect() },
@@ -208,9 +208,9 @@ impl Detail {
     }
 }
 
-fn was_reached(state: &State, mind: &Mind, node: u32) -> bool {
-    let reached = match &mind.ran(state.tick).controller {
-        Controller::Tree(planted) => planted.trace.get(node as usize).map(|trace| trace.tick),
+fn was_reached(state: &State, agent: u32, node: u32) -> bool {
+    let reached = match &state.ran(agent).controller {
+        Controller::Tree(planted) => planted.trace.get(node as usize).map(|trace| trace.tick()),
         Controller::Machine(machine) => machine.fired.get(node as usize).copied(),
     };
     state.tick > 0 && reached == Some(state.tick)
@@ -228,7 +228,7 @@ fn groups(state: &State) -> (usize, Vec<(u64, Group)>) {
         let Some(largest) = largest else { break };
         let group = groups.swap_remove(largest);
         let (program, first) = group[0];
-        let text = state.minds[first as usize].ran(state.tick).controller.text();
+        let text = state.ran(first).controller.text();
         top.push((program, Group { id: hex(program), agents: group.len(), text, first }));
     }
     (count, top)
@@ -236,8 +236,8 @@ fn groups(state: &State) -> (usize, Vec<(u64, Group)>) {
 
 fn behaviours(state: &State, names: &[Name]) -> Vec<Behaviour> {
     let mut counts = vec![[0_usize; 3]; Name::ALL.len()];
-    for mind in &state.minds {
-        let program = mind.ran(state.tick);
+    for agent in 0..state.minds.len() as u32 {
+        let program = state.ran(agent);
         let mut seen = [[false; 3]; Name::ALL.len()];
         let mut see = |name: Name, now: bool, success: bool| {
             let flags = &mut seen[name as usize];
@@ -249,8 +249,8 @@ fn behaviours(state: &State, names: &[Name]) -> Vec<Behaviour> {
             Controller::Tree(Planted { tree, trace, .. }) => {
                 for (node, trace) in tree.nodes().iter().zip(trace) {
                     let Kind::Leaf(leaf) = &node.kind else { continue };
-                    let now = state.tick > 0 && trace.tick == state.tick;
-                    see(leaf.name, now, trace.status == crate::bt::Status::Success);
+                    let status = trace.status_in(state.tick);
+                    see(leaf.name, status != Status::Idle, status == Status::Success);
                 }
             }
             Controller::Machine(machine) => {
@@ -289,7 +289,7 @@ fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
     let places = |is: &dyn Fn(Object) -> bool| -> Vec<&'static str> {
         Object::PLACES.into_iter().filter(|place| is(*place)).map(Object::text).collect()
     };
-    let ran = mind.ran(state.tick);
+    let ran = state.ran(id);
     Agent {
         id,
         x: position[0],
@@ -316,7 +316,7 @@ fn shown_agent(state: &State, params: &Params, id: u32) -> Agent {
             .map(|entry| Stored { donor: entry.donor, fitness: entry.offer.fitness, diversity: entry.offer.diversity })
             .collect(),
         last_action: body.last_action.map(|leaf| leaf.to_string()),
-        genome: state.genomes.get(offer.genome).codons.clone(),
+        genome: state.genomes.get(offer.genome).codons.to_vec(),
         used: state.genomes.get(offer.genome).used,
         program: hex(ran.id),
         replaced_by: mind.was_replaced(state.tick).then(|| mind.program.controller.text()),
@@ -336,11 +336,11 @@ fn counted(params: &Params) -> Vec<&'static str> {
 
 /// The tree of the agents `held`, with the trace of the agents `shown` (one of them, or all).
 fn shown_tree(state: &State, held: &[u32], shown: &[u32], with_status: bool) -> ShownTree {
-    let program = state.minds[held[0] as usize].ran(state.tick);
+    let program = state.ran(held[0]);
     let mut nodes = program.controller.tree().map(shown_nodes).unwrap_or_default();
     let (mut traces, mut machines): (Vec<&[Trace]>, Vec<&Machine>) = (Vec::new(), Vec::new());
     for &id in shown {
-        match &state.minds[id as usize].ran(state.tick).controller {
+        match &state.ran(id).controller {
             Controller::Tree(planted) => traces.push(&planted.trace),
             Controller::Machine(machine) => machines.push(machine),
         }
@@ -348,15 +348,13 @@ fn shown_tree(state: &State, held: &[u32], shown: &[u32], with_status: bool) -> 
     let machine = machines.first().map(|machine| ShownMachine::running(machine, &machines, state.tick, RECENT));
     for (index, node) in nodes.iter_mut().enumerate() {
         let within = |steps: u32| {
-            let reached = traces.iter().filter(|trace| trace[index].tick > 0 && trace[index].tick + steps > state.tick);
+            let reached =
+                traces.iter().filter(|trace| trace[index].tick() > 0 && trace[index].tick() + steps > state.tick);
             reached.count() as f64 / traces.len() as f64
         };
         node.reached_now = Some(within(1));
         node.reached_recently = Some(within(RECENT));
-        node.status = with_status.then(|| {
-            let trace = traces[0][index];
-            if trace.tick == state.tick { trace.status.name() } else { crate::bt::Status::Idle.name() }
-        });
+        node.status = with_status.then(|| traces[0][index].status_in(state.tick).name());
     }
     ShownTree { program: hex(program.id), text: program.controller.text(), agents: held.to_vec(), nodes, machine }
 }

@@ -1,6 +1,6 @@
 //! Learning together: an agent collects the genomes of those it meets, and breeds when it has enough of them.
 
-use super::breeding::{Best, Breeder, Source};
+use super::breeding::{Best, Breeder, Source, Winner};
 use super::grid::Area;
 use super::near::Near;
 use super::params::{Params, PopulationForm, StorageContent, SwapRule};
@@ -77,7 +77,7 @@ impl State {
             for _ in 0..10 {
                 if let Some(survey) = breeder.genesis(params, &mut rng, &mut genome) {
                     breeder.pool.push(Source::Stored(storage.entries().len() as u32));
-                    storage.add_fresh(agent, survey.diversity, self.genomes.add(&genome));
+                    storage.add_fresh(agent, survey.diversity, self.genomes.add(genome.view()));
                 }
             }
         }
@@ -88,16 +88,22 @@ impl State {
             SwapRule::NotSmaller => best.diversity >= own.diversity,
             SwapRule::Always => true,
         });
+        if let Some(Best { genome: Winner::Elite(id), .. }) = winner {
+            self.genomes.hold(id);
+        }
         storage.clear(&mut self.genomes);
         if let Some(Best { genome, diversity }) = winner {
+            let genome = match genome {
+                Winner::Elite(id) => id,
+                Winner::Bred(genome) => self.genomes.add(genome.view()),
+            };
             if params.learning_steps > 0 && params.population_form == PopulationForm::Archive {
-                self.archive.add(genome);
+                self.archive.add(self.genomes.get(genome));
             }
             if params.fitness == FitnessRule::Delayed || params.storage_value == StorageValue::Live {
                 let mind = &mut self.minds[agent as usize];
                 mind.last = [own.fitness, mind.last[0]];
             }
-            let genome = self.genomes.add(genome);
             self.take_up(&mut breeder.compiler, agent, genome, diversity, self.tick);
         }
         let mind = &mut self.minds[agent as usize];

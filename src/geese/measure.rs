@@ -39,7 +39,7 @@ impl Measure {
         let mean = |value: &dyn Fn(&super::mind::Offer) -> f64| state.offers.iter().map(value).sum::<f64>() / agents;
         let (mut programs, mut actions, mut by_actions, mut inert) = (0_u32, 0_u32, [0.0; 4], 0);
         for group in state.by_program().chunk_by(|a, b| a.0 == b.0) {
-            let controller = &state.minds[group[0].1 as usize].ran(state.tick).controller;
+            let controller = &state.ran(group[0].1).controller;
             // A machine does something in every step; it counts with the behaviours that it can come to.
             let (here, idle) = match controller {
                 Controller::Tree(planted) => (action_count(&planted.tree), is_inert(&planted.tree)),

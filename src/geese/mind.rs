@@ -3,21 +3,35 @@
 use super::controller::Controller;
 use super::genomes::{GenomeId, Genomes};
 use super::leaf::{Leaf, Tag};
-use super::program::Compiler;
 use super::switches::{ExplorationRule, FeedbackRule};
 use super::visited::Visited;
 use crate::bt::{Kind, NodeId, Recorder, Status, Tree};
-use crate::evolution::Genome;
 use crate::fingerprint::Fingerprint;
 use crate::random::Stream;
 
-/// What a node of the program last returned, and in which step (0: never).
+/// What a node of the program last returned, and in which step: twice the step, and one more for SUCCESS. In a swarm there
+/// are many of them, so they are small.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Trace {
-    /// The status.
-    pub status: Status,
-    /// The step.
-    pub tick: u32,
+pub struct Trace(u32);
+
+impl Trace {
+    /// - `status`: SUCCESS or FAILURE, as all that these programs return; `tick`: from 1 on.
+    #[must_use]
+    pub fn new(status: Status, tick: u32) -> Self {
+        Self(tick << 1 | u32::from(status == Status::Success))
+    }
+
+    /// The step; 0: never.
+    #[must_use]
+    pub fn tick(self) -> u32 {
+        self.0 >> 1
+    }
+
+    /// What was returned in a step; IDLE when it was not in this one.
+    #[must_use]
+    pub fn status_in(self, tick: u32) -> Status {
+        if self.tick() == tick && tick > 0 { Status::completed(self.0 & 1 == 1) } else { Status::Idle }
+    }
 }
 
 /// A controller with its name.
@@ -34,6 +48,49 @@ impl Program {
     pub fn renew(&mut self) {
         self.controller.renew();
         self.id = self.controller.id();
+    }
+}
+
+/// The programs that were replaced in the last step, which others may still ask for; those of the steps before leave their
+/// memory to the next ones. That is less than a former program for each agent, and it lies in the order of its use.
+#[derive(Clone, Debug, Default)]
+pub struct Replaced {
+    programs: Vec<Program>,
+    count: usize,
+}
+
+impl Replaced {
+    /// Begins a step.
+    pub fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// The program of that place.
+    #[must_use]
+    pub fn get(&self, place: u32) -> &Program {
+        &self.programs[place as usize]
+    }
+
+    /// Takes a place: its number, and the old program that lies there, to be overwritten.
+    pub fn take(&mut self) -> (u32, &mut Program) {
+        let place = self.count;
+        self.count += 1;
+        if place == self.programs.len() {
+            self.programs.push(Program::default());
+        }
+        (place as u32, &mut self.programs[place])
+    }
+
+    /// The program of the place that will be taken so many times from now, if there is one.
+    #[must_use]
+    pub fn next(&self, after: usize) -> Option<&Program> {
+        self.programs.get(self.count + after)
+    }
+
+    /// About how many bytes a copy takes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.programs.iter().map(|program| size_of::<Program>() + program.controller.bytes()).sum()
     }
 }
 
@@ -70,8 +127,8 @@ pub struct Mind {
     pub program: Program,
     /// Squares visited since the program was taken up; their number is exploration E.
     pub visited: Visited,
-    /// The program before it; shown when it was replaced in the last step.
-    pub replaced: Program,
+    /// Where the program before it lies in [`Replaced`], when it was replaced in the last step.
+    pub replaced: u32,
     /// The last fitness of the program before, and of the one before it; 0 unless something asks for them.
     pub last: [f64; 2],
     /// The agent's own stream for what its machine does with a probability.
@@ -79,22 +136,6 @@ pub struct Mind {
 }
 
 impl Mind {
-    /// Makes the genome, which the agent has just been given, its program from the next step on.
-    pub fn take_up(&mut self, compiler: &mut Compiler, genome: &Genome, tick: u32) {
-        self.visited.clear();
-        self.since = tick;
-        std::mem::swap(&mut self.program, &mut self.replaced);
-        let valid = compiler.compile(&genome.codons, &mut self.program.controller);
-        debug_assert!(valid.is_ok(), "the survey found the genome valid");
-        self.program.renew();
-    }
-
-    /// The program that was ticked in step `tick`.
-    #[must_use]
-    pub fn ran(&self, tick: u32) -> &Program {
-        if self.was_replaced(tick) { &self.replaced } else { &self.program }
-    }
-
     /// Exploration E, by what the scenario counts: all that was visited, or (cells) all but one.
     #[must_use]
     pub fn exploration(&self, rule: ExplorationRule) -> u32 {
@@ -240,7 +281,7 @@ impl<'a> Feedback<'a> {
 
 impl Recorder for Feedback<'_> {
     fn returned(&mut self, node: NodeId, status: Status) {
-        self.trace[node.index()] = Trace { status, tick: self.tick };
+        self.trace[node.index()] = Trace::new(status, self.tick);
         let by_tags = self.rule == FeedbackRule::Tags;
         self.sum += match (&self.tree.nodes()[node.index()].kind, status) {
             (Kind::Leaf(Leaf { tag: Tag::Post, .. }), Status::Success) if by_tags => 1,

@@ -16,6 +16,8 @@ use serde_json::{Value, json};
 /// What a population file says it is.
 const FORMAT: &str = "geese-population/1";
 const MOST_MEMBERS: usize = 10_000;
+/// The longest genome that a scenario can have.
+const MOST_CODONS: usize = 1_000;
 
 /// The controllers of a swarm at one moment.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +45,7 @@ impl Population {
     pub(super) fn of_state(state: &State) -> Self {
         let member = |offer: &Offer| Member {
             fitness: millionths(offer.fitness),
-            genome: state.genomes.get(offer.genome).codons.clone(),
+            genome: state.genomes.get(offer.genome).codons.to_vec(),
         };
         Self { members: state.offers.iter().map(member).collect() }
     }
@@ -96,6 +98,10 @@ impl Population {
             let genome = codons
                 .flatten()
                 .ok_or_else(|| format!("members[{index}].genome: expected a list of whole numbers from 0 to 65535"))?;
+            if genome.len() > MOST_CODONS {
+                let found = genome.len();
+                return Err(format!("members[{index}].genome: expected {MOST_CODONS} codons at most, found {found}"));
+            }
             Ok(Member { fitness, genome })
         });
         Ok(Self { members: members.collect::<Result<_, String>>()? })

@@ -418,7 +418,7 @@ pub fn program_text(tree: &Tree<Leaf>) -> String {
             Kind::Sequence => "Seq[",
             Kind::Fallback => "Sel[",
             Kind::ForceSuccess => "ForceSuccess[",
-            other => other.name(),
+            _ => tree.kind_name(node),
         };
         text.push_str(open);
         for (index, child) in tree.children(node).enumerate() {

@@ -7,7 +7,7 @@ use super::breeding::Breeder;
 use super::controller::{Controller, Planted};
 use super::field::Field;
 use super::genomes::{GenomeId, Genomes};
-use super::mind::{Feedback, Mind, Offer, Program, Storage};
+use super::mind::{Feedback, Mind, Offer, Program, Replaced, Storage};
 use super::near::Near;
 use super::outcome::{Finished, Outcome, Sample};
 use super::params::{Activation, Params, PopulationForm, Task};
@@ -45,6 +45,7 @@ pub struct State {
     /// What each agent offers to those it meets.
     pub(super) offers: Vec<Offer>,
     pub(super) genomes: Genomes,
+    pub(super) replaced: Replaced,
     /// Whether programs evolve.
     learning: bool,
     /// The programs of a fixed population that runs them in turns.
@@ -89,7 +90,7 @@ impl World {
                 population.deal(params, seed, &mut breeder.compiler).map_err(|message| ("population", message))?;
             (dealt, turns) = (deal.agents, deal.turns);
         }
-        let (mut dealt, mut genomes) = (dealt.into_iter(), Genomes::default());
+        let (mut dealt, mut genomes) = (dealt.into_iter(), Genomes::new(params.genome_length));
         let born = agents
             .map(|id| {
                 new_mind(&mut breeder, params, seed, id, dealt.next(), &mut genomes).ok_or_else(|| {
@@ -107,6 +108,7 @@ impl World {
             minds,
             offers,
             genomes,
+            replaced: Replaced::default(),
             learning: params.evolution,
             turns: turns.into(),
             archive: Archive::new(seed),
@@ -187,6 +189,7 @@ impl World {
         let Self { params, breeder, near, state, .. } = self;
         state.tick += 1;
         state.swaps = 0;
+        state.replaced.clear();
         let in_turns = !state.learning && !state.turns.is_empty();
         match params.activation {
             Activation::Index => state.order.sort_unstable(),
@@ -298,10 +301,10 @@ fn new_mind(
         survey
     };
     program.renew();
-    let offer = Offer { genome: genomes.add(&genome), swaps: 0, diversity: survey.diversity, fitness: 0.0 };
+    let offer = Offer { genome: genomes.add(genome.view()), swaps: 0, diversity: survey.diversity, fitness: 0.0 };
     let mind = Mind {
-        replaced: program.clone(),
         program,
+        replaced: 0,
         since: 0,
         last: [0.0; 2],
         feedback: 0,
@@ -378,7 +381,7 @@ impl State {
         if chance(&mut mind.evolution, 1.0 / params.dwell) {
             let Known { genome, diversity } =
                 &self.turns[mind.evolution.random_range(0..self.turns.len() as u32) as usize];
-            let (genome, diversity) = (self.genomes.add(genome), *diversity);
+            let (genome, diversity) = (self.genomes.add(genome.view()), *diversity);
             // As if at the end of the step before: it is ticked in this one.
             self.take_up(&mut breeder.compiler, agent, genome, diversity, self.tick - 1);
         }
@@ -389,16 +392,31 @@ impl State {
     /// - `genome`: from now on held by the agent.
     pub(super) fn take_up(&mut self, compiler: &mut Compiler, agent: u32, genome: GenomeId, diversity: f64, tick: u32) {
         self.swaps += 1;
-        let offer = &mut self.offers[agent as usize];
+        let (mind, offer) = (&mut self.minds[agent as usize], &mut self.offers[agent as usize]);
         self.genomes.release(offer.genome);
         *offer = Offer { genome, swaps: offer.swaps + 1, diversity, fitness: 0.0 };
-        self.minds[agent as usize].take_up(compiler, self.genomes.get(genome), tick);
+        mind.visited.clear();
+        mind.since = tick;
+        let (place, program) = self.replaced.take();
+        mind.replaced = place;
+        std::mem::swap(&mut mind.program, program);
+        let valid = compiler.compile(self.genomes.get(genome).codons, &mut mind.program.controller);
+        debug_assert!(valid.is_ok(), "the survey found the genome valid");
+        mind.program.renew();
+        self.call_for_replaced();
+    }
+
+    /// The program that the agent ran in the last step.
+    #[must_use]
+    pub fn ran(&self, agent: u32) -> &Program {
+        let mind = &self.minds[agent as usize];
+        if mind.was_replaced(self.tick) { self.replaced.get(mind.replaced) } else { &mind.program }
     }
 
     /// Each agent with the id of the program it ran in the last step, agents of one program side by side.
     #[must_use]
     pub fn by_program(&self) -> Vec<(u64, u32)> {
-        let ran = self.minds.iter().enumerate().map(|(agent, mind)| (mind.ran(self.tick).id, agent as u32));
+        let ran = (0..self.minds.len() as u32).map(|agent| (self.ran(agent).id, agent));
         let mut ran: Vec<(u64, u32)> = ran.collect();
         ran.sort_unstable();
         ran
@@ -424,12 +442,13 @@ impl State {
     #[must_use]
     pub fn bytes(&self) -> usize {
         let mind = |mind: &Mind| {
-            let programs = mind.program.controller.bytes() + mind.replaced.controller.bytes();
-            size_of::<Mind>() + size_of::<Body>() + mind.visited.bytes() + mind.storage.bytes() + programs + 256
+            let program = mind.program.controller.bytes();
+            size_of::<Mind>() + size_of::<Body>() + mind.visited.bytes() + mind.storage.bytes() + program + 256
         };
         self.minds.iter().map(mind).sum::<usize>()
             + self.offers.len() * size_of::<Offer>()
             + self.genomes.bytes()
+            + self.replaced.bytes()
             + self.archive.bytes()
             + self.history.len() * size_of::<Sample>()
             + 8192

@@ -233,10 +233,15 @@ function matches() {
   }
 }
 
-/** What an agent-step costs in a crowd of 10,000, as densely placed as 100, natively. */
+/**
+ * What an agent-step costs in a crowd of 10,000, as densely placed as 100, natively: a run of the one beside runs of a
+ * hundred seeds of the others, so that both measure as many agent-steps of the same age.
+ */
 function crowds() {
   const cost = (/** @type {number} */ agents) => {
-    const { seconds, agent_steps: amount } = native('bench', `tests/cases/crowd_${agents}.json`, '--steps', '300');
+    const seeds = String(10_000 / agents);
+    const { seconds, agent_steps: amount } =
+      native('bench', `tests/cases/crowd_${agents}.json`, '--steps', '300', '--seeds', seeds);
     return seconds / amount;
   };
   console.log('\nCost of an agent-step with 10,000 robots over that with 100, of equal density');

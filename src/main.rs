@@ -64,6 +64,9 @@ enum Command {
         /// Steps to run
         #[arg(long, default_value_t = 2000)]
         steps: u32,
+        /// Seeds, from that of the scenario on, each for so many steps
+        #[arg(long, default_value_t = 1)]
+        seeds: u32,
     },
 }
 
@@ -136,7 +139,7 @@ fn main() -> ExitCode {
         Command::Tournament(arguments) => cli::tournament::tournament(&arguments),
         Command::Replay(arguments) => cli::replay::replay(&arguments),
         Command::Merge(arguments) => cli::report::merge(&arguments),
-        Command::Bench { scenario, steps } => bench(&scenario, steps),
+        Command::Bench { scenario, steps, seeds } => bench(&scenario, steps, seeds),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -224,7 +227,7 @@ fn bench_tree(file: &Path, ticks: u32) -> Result<(), Failure> {
 }
 
 #[expect(clippy::disallowed_methods, reason = "measuring time is what this command is for")]
-fn bench(path: &Path, steps: u32) -> Result<(), Failure> {
+fn bench(path: &Path, steps: u32, seeds: u32) -> Result<(), Failure> {
     // Where the length of a run is no parameter, as in a match, a run that ends early is followed by the next seed.
     let is_set = cli::run::read_scenario(path, &[])?.to_value().get("steps").is_some();
     let length = is_set.then(|| Value::from(steps));
@@ -236,14 +239,14 @@ fn bench(path: &Path, steps: u32) -> Result<(), Failure> {
         WorldParams::Soccer(_) => 6,
     };
     let (mut made, mut seconds, first) = (0, 0.0, run.scenario().seed.value());
-    let mut runs = 0;
+    let (mut runs, all) = (0, steps.saturating_mul(seeds));
     loop {
         let begun = Instant::now();
-        made += run.advance(steps - made);
+        made += run.advance(steps.min(all - made));
         seconds += begun.elapsed().as_secs_f64();
         runs += 1;
         // A run without any step would never fill the time.
-        if made >= steps || run.tick() == 0 {
+        if made >= all || run.tick() == 0 {
             break;
         }
         run = read(Some(Value::from(first + runs)))?;

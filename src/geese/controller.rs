@@ -11,8 +11,8 @@ use crate::bt::Tree;
 pub enum Controller {
     /// A behaviour tree (GEESE-BT, BeTr-GEESE).
     Tree(Planted),
-    /// A state machine (GEESE).
-    Machine(Machine),
+    /// A state machine (GEESE); apart, so that the trees of a crowd lie closer together.
+    Machine(Box<Machine>),
 }
 
 /// A tree with the trace of its nodes. Its leaves complete at once, so there is nothing else to remember.
@@ -52,7 +52,7 @@ impl Controller {
     /// The machine, to be overwritten; a tree becomes one first.
     pub fn machine_mut(&mut self) -> &mut Machine {
         if let Self::Tree(_) = self {
-            *self = Self::Machine(Machine::default());
+            *self = Self::Machine(Box::default());
         }
         match self {
             Self::Machine(machine) => machine,

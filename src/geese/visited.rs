@@ -3,19 +3,15 @@
 /// A set of squares that remembers the order of the first visits.
 ///
 /// Programs live for a few steps, so the set is small whatever the arena. The first squares lie in the set itself, where a
-/// crowd's agents find them without another access to memory; from the next one on there is a table of at least twice as
-/// many places as squares, searched from a square's own place onwards. It is never walked through, so its layout shows
-/// nowhere.
+/// crowd's agents find them without another access to memory.
 #[derive(Clone, Debug)]
 pub struct Visited {
     side: u32,
     count: u32,
     /// The squares while they are few.
     few: [u32; FEW],
-    /// Square plus one, or 0; a power of two long, or empty while the squares are few.
-    table: Vec<u32>,
-    /// All squares in the order of the first visit; empty while they are few.
-    many: Vec<u32>,
+    /// All squares, once they are more; its memory is kept for the next time.
+    many: Option<Box<Many>>,
 }
 
 const FEW: usize = 16;
@@ -24,7 +20,7 @@ impl Visited {
     /// None visited yet; the arena has `side` squares along each side.
     #[must_use]
     pub fn new(side: u32) -> Self {
-        Self { side, count: 0, few: [0; FEW], table: Vec::new(), many: Vec::new() }
+        Self { side, count: 0, few: [0; FEW], many: None }
     }
 
     /// Marks the square of a point of the arena `[-side / 2, side / 2]` squared.
@@ -41,32 +37,82 @@ impl Visited {
         } else if !self.few[..count].contains(&square) {
             if count < FEW {
                 self.few[count] = square;
+                self.count += 1;
             } else {
-                self.many.extend_from_slice(&self.few);
-                self.rebuild();
+                self.many.get_or_insert_default().begin(&self.few);
                 self.mark_among_many(square);
-                return;
             }
-            self.count += 1;
         }
     }
 
     fn mark_among_many(&mut self, square: u32) {
+        if let Some(many) = &mut self.many {
+            many.mark(square);
+            self.count = many.squares.len() as u32;
+        }
+    }
+
+    /// The squares in the order of the first visit.
+    #[must_use]
+    pub fn squares(&self) -> &[u32] {
+        match &self.many {
+            Some(many) if self.count as usize > FEW => &many.squares,
+            _ => &self.few[..self.count as usize],
+        }
+    }
+
+    /// How many squares were visited.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count as usize
+    }
+
+    /// Forgets all.
+    pub fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// Bytes on the heap.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let many = self.many.as_ref();
+        many.map_or(0, |many| size_of::<Many>() + (many.table.capacity() + many.squares.capacity()) * 4)
+    }
+}
+
+/// A table of at least twice as many places as squares, searched from a square's own place onwards. It is never walked
+/// through, so its layout shows nowhere.
+#[derive(Clone, Debug, Default)]
+struct Many {
+    /// Square plus one, or 0; a power of two long.
+    table: Vec<u32>,
+    /// In the order of the first visit.
+    squares: Vec<u32>,
+}
+
+impl Many {
+    /// Starts with these squares, which all differ.
+    fn begin(&mut self, squares: &[u32]) {
+        self.squares.clear();
+        self.squares.extend_from_slice(squares);
+        self.rebuild();
+    }
+
+    fn mark(&mut self, square: u32) {
         if !self.insert(square) {
             return;
         }
-        self.many.push(square);
-        self.count = self.many.len() as u32;
-        if 2 * self.many.len() > self.table.len() {
+        self.squares.push(square);
+        if 2 * self.squares.len() > self.table.len() {
             self.rebuild();
         }
     }
 
     fn rebuild(&mut self) {
         self.table.clear();
-        self.table.resize(4 * self.many.len().next_power_of_two(), 0);
-        for index in 0..self.many.len() {
-            self.insert(self.many[index]);
+        self.table.resize(4 * self.squares.len().next_power_of_two(), 0);
+        for index in 0..self.squares.len() {
+            self.insert(self.squares[index]);
         }
     }
 
@@ -85,31 +131,6 @@ impl Visited {
                 _ => place = (place + 1) & mask,
             }
         }
-    }
-
-    /// The squares in the order of the first visit.
-    #[must_use]
-    pub fn squares(&self) -> &[u32] {
-        if self.count as usize > FEW { &self.many } else { &self.few[..self.count as usize] }
-    }
-
-    /// How many squares were visited.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.count as usize
-    }
-
-    /// Forgets all.
-    pub fn clear(&mut self) {
-        self.count = 0;
-        self.many.clear();
-        self.table.clear();
-    }
-
-    /// Bytes on the heap.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        (self.table.capacity() + self.many.capacity()) * 4
     }
 }
 

@@ -21,7 +21,7 @@ fn machine_of(compiler: &mut Compiler, codons: &[u16]) -> Option<Machine> {
     let mut controller = Controller::default();
     compiler.compile(codons, &mut controller).ok()?;
     match controller {
-        Controller::Machine(machine) => Some(machine),
+        Controller::Machine(machine) => Some(*machine),
         Controller::Tree(_) => panic!("a tree where a machine was expected"),
     }
 }

@@ -92,7 +92,7 @@ pub fn exchange_tails(parents: [GenomeRef; 2], cuts: [usize; 2], longest: u16, c
 ///
 /// The distance to the next change is drawn (a geometric number), not a coin for each place: the result has the
 /// same distribution at a tenth of the draws.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Mutation {
     unit: Unit,
     codon_max: u16,
@@ -101,7 +101,17 @@ pub struct Mutation {
     probability: f64,
     /// 1 / ln(1 - probability).
     scale: f64,
+    /// For each of the shorter distances, the number below 1 from which on the distance is longer.
+    ends: [f64; LISTED],
+    /// The distance, `LISTED` at most, at the lower end of each part of the unit interval.
+    starts: [u8; PARTS],
 }
+
+/// So many of the distances are listed, since most draws end there and a logarithm takes longer than all else in one.
+const LISTED: usize = 64;
+
+/// So many parts of the unit interval know where to look: in most of them no more than one distance ends.
+const PARTS: usize = 256;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Unit {
@@ -123,7 +133,37 @@ impl Mutation {
     }
 
     fn new(unit: Unit, places: u32, probability: f64, codon_max: u16) -> Self {
-        Self { unit, codon_max, places, probability, scale: 1.0 / libm::log1p(-probability) }
+        let scale = 1.0 / libm::log1p(-probability);
+        let (ends, starts) = ([1.0; LISTED], [0; PARTS]);
+        let mut mutation = Self { unit, codon_max, places, probability, scale, ends, starts };
+        if probability > 0.0 && probability < 1.0 {
+            mutation.list();
+        }
+        mutation
+    }
+
+    /// Lists the distances. Draws are multiples of 2^-53, so each end is found by halving.
+    fn list(&mut self) {
+        const DRAWS: u64 = 1 << 53;
+        let draw = |number: u64| number as f64 / DRAWS as f64;
+        let mut least = 0;
+        for distance in 0..LISTED as u32 {
+            let (mut low, mut high) = (least, DRAWS);
+            while low < high {
+                let middle = u64::midpoint(low, high);
+                if self.calculated(draw(middle)) > distance {
+                    high = middle;
+                } else {
+                    low = middle + 1;
+                }
+            }
+            self.ends[distance as usize] = draw(low);
+            least = low;
+        }
+        for (part, shortest) in self.starts.iter_mut().enumerate() {
+            let start = part as f64 / PARTS as f64;
+            *shortest = self.ends.iter().filter(|&&end| end <= start).count() as u8;
+        }
     }
 
     /// Begins to mutate one genome from its first codon on.
@@ -140,8 +180,25 @@ impl Mutation {
         if self.probability >= 1.0 {
             return 0;
         }
+        self.looked_up(rng.random())
+    }
+
+    /// The distance of a draw from [0, 1).
+    fn looked_up(&self, u: f64) -> u32 {
+        let start = self.starts[(u * PARTS as f64) as usize % PARTS];
+        // Added without a branch, which would be mispredicted now and then.
+        let mut distance = u32::from(start) + u32::from(u >= self.ends[usize::from(start) % LISTED]);
+        while let Some(end) = self.ends.get(distance as usize) {
+            if u < *end {
+                return distance;
+            }
+            distance += 1;
+        }
+        self.calculated(u)
+    }
+
+    fn calculated(&self, u: f64) -> u32 {
         // 1 - u lies in (0, 1], so the logarithm is finite and at most 0; the conversion saturates.
-        let u: f64 = rng.random();
         (libm::log(1.0 - u) * self.scale) as u32
     }
 }
@@ -163,7 +220,7 @@ impl Mutating<'_> {
     )]
     #[inline(always)]
     pub fn pass(&mut self, codon: &mut u16) {
-        let Mutation { unit, codon_max, places, .. } = *self.mutation;
+        let &Mutation { unit, codon_max, places, .. } = self.mutation;
         while self.next < places {
             match unit {
                 Unit::Bit => *codon ^= 1 << self.next,
@@ -172,5 +229,29 @@ impl Mutating<'_> {
             self.next = self.mutation.distance(self.rng).saturating_add(self.next + 1);
         }
         self.next -= places;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Purpose, Seed, stream};
+
+    #[test]
+    fn a_distance_that_is_looked_up_is_the_one_that_is_calculated() {
+        let mut rng = stream(Seed::new(7).expect("small"), Purpose::Evolution, 0);
+        for probability in [1e-9, 0.001, 0.01, 0.1, 0.3, 0.5, 0.9, 0.999] {
+            let mutation = Mutation::of_codons(probability, 255);
+            for _ in 0..20_000 {
+                let u: f64 = rng.random();
+                assert_eq!(mutation.looked_up(u), mutation.calculated(u), "{probability}: {u}");
+            }
+            // At the ends themselves, and at the last draw before each.
+            for end in mutation.ends.into_iter().filter(|end| *end < 1.0) {
+                for u in [end, end - 1.0 / (1_u64 << 53) as f64] {
+                    assert_eq!(mutation.looked_up(u), mutation.calculated(u), "{probability}: {u}");
+                }
+            }
+        }
     }
 }

@@ -183,8 +183,12 @@ impl Grid {
             // The outermost cells have no outer side; a little less, since rounding may put a point into the next cell.
             let below = if cell[axis] > 0 { low - place[axis] - 1e-6 } else { 0.0 };
             let above = if cell[axis] + 1 < self.side { place[axis] - (low + CELL) - 1e-6 } else { 0.0 };
-            let distance = below.max(above).max(0.0);
-            squared += distance * distance;
+            // At most one of the two is above 0. (The larger of two numbers is a call in WebAssembly.)
+            if below > 0.0 {
+                squared += below * below;
+            } else if above > 0.0 {
+                squared += above * above;
+            }
         }
         squared
     }

@@ -295,8 +295,9 @@ impl Compiler {
             Sentences::Trees(language, memory) => {
                 let (tokens, builder) = &mut **memory;
                 tokens.clear();
-                for terminal in terminals {
-                    tokens.extend_from_slice(&language.tokens[usize::from(terminal.0)]);
+                for token in terminals.iter().flat_map(|terminal| &language.tokens[usize::from(terminal.0)]) {
+                    // One by one: a copy of a few tokens is a call, which WebAssembly feels.
+                    tokens.push(*token);
                 }
                 build(tokens, builder, controller.tree_mut());
             }

@@ -89,12 +89,27 @@ export function searchLayouts(Engine, json, layouts) {
  */
 export function playMatch(Engine, json, steps) {
   const { seed = 1, title, about, ...scenario } = JSON.parse(json);
-  const seconds = Math.max(1, Math.round(steps / 120));
-  const spec = { study: 'bench', scenario: { ...scenario, 'half-seconds': seconds }, seeds: { first: seed, count: 1 }, metrics: ['goals'] };
-  const study = new Engine(JSON.stringify(spec), '{}', 'paper');
+  return makeRun(Engine, { ...scenario, 'half-seconds': Math.max(1, Math.round(steps / 120)) }, seed, 'goals', 600);
+}
+
+/**
+ * A whole run of a swarm in WebAssembly, by the engine of the studies.
+ *
+ * @param {typeof Study} Engine
+ * @param {string} json
+ * @param {number} steps
+ */
+export function runStudy(Engine, json, steps) {
+  const { seed = 1, title, about, ...scenario } = JSON.parse(json);
+  return makeRun(Engine, { ...scenario, steps }, seed, 'share', 20);
+}
+
+/** @param {typeof Study} Engine @param {object} scenario @param {number} seed @param {string} metric @param {number} slice */
+function makeRun(Engine, scenario, seed, metric, slice) {
+  const study = new Engine(JSON.stringify({ study: 'bench', scenario, seeds: { first: seed, count: 1 }, metrics: [metric] }), '{}', 'paper');
   const job = study.start(0);
   const done = timed(() => {
-    while (!job.advance(600));
+    while (!job.advance(slice));
     return job.line().trimEnd().split(',').at(-2) ?? ''; // the last column but the reason
   });
   job.free();

@@ -106,6 +106,32 @@ export const cases = [
     },
   ],
   [
+    'what_is_being_typed_survives_an_answer_that_comes_in',
+    async (open) => {
+      const { page, seek, openGroups } = await open();
+      await openGroups();
+      await seek(20);
+      const box = page.locator(`${MUTATION} .number input`);
+      const old = await box.inputValue();
+      await box.focus();
+      await box.press('ControlOrMeta+a');
+      await box.pressSequentially('0.3');
+      // Another change, by hand of nobody, so that the box keeps the focus; its answer shows every control anew.
+      const other = page.locator('[data-key="geese.interaction-probability"]');
+      await other.locator('input[type=range]').evaluate((/** @type {HTMLInputElement} */ slider) => {
+        slider.value = slider.min;
+        slider.dispatchEvent(new Event('change'));
+      });
+      await other.locator('.reset').waitFor();
+      assert.equal(await box.inputValue(), '0.3');
+      await box.press('Enter');
+      await page.locator(`${MUTATION} .reset`).waitFor();
+      assert.equal(await box.inputValue(), '0.3');
+      await page.locator(`${MUTATION} .reset`).click();
+      await eventually(async () => assert.equal(await box.inputValue(), old));
+    },
+  ],
+  [
     'every_parameter_but_the_seed_has_a_control_with_help_and_source',
     async (open) => {
       const { page, engine, openGroups } = await open();

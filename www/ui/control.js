@@ -135,15 +135,29 @@ function createNumber(parameter, id, { change }, say) {
   const toSlider = (/** @type {number} */ value) => (logarithmic ? (200 * Math.log(value / min)) / Math.log(max / min) : value);
   const warn = (/** @type {number} */ value) => say(value > max ? text.controls.beyond(max, hardMax) : '');
 
+  // What is being typed or dragged is not overwritten by what comes in meanwhile.
+  let editing = false;
+  let shown = 0;
+  box.addEventListener('input', () => {
+    editing = true;
+  });
+  for (const field of [box, slider]) {
+    field.addEventListener('blur', () => {
+      if (editing) show(shown);
+    });
+  }
   slider.addEventListener('input', () => {
+    editing = true;
     box.value = String(toValue());
     slider.setAttribute('aria-valuetext', box.value);
   });
   slider.addEventListener('change', () => {
+    editing = false;
     say('');
     change(parameter, toValue());
   });
   box.addEventListener('change', () => {
+    editing = false;
     try {
       const value = Number(readValue(parameter, box.value));
       box.removeAttribute('aria-invalid');
@@ -154,18 +168,20 @@ function createNumber(parameter, id, { change }, say) {
       say(problem instanceof Error ? problem.message : String(problem));
     }
   });
+  const show = (/** @type {number} */ value) => {
+    editing = false;
+    box.removeAttribute('aria-invalid');
+    box.value = String(value);
+    slider.value = String(toSlider(value));
+    slider.setAttribute('aria-valuetext', unit ? `${value} ${unit}` : String(value));
+  };
   return {
     label: h('label', { for: id }, parameter.label),
     aside: h('span', { class: 'number' }, box, unit ? h('span', { class: 'unit' }, unit) : ''),
     body: slider,
-    show(value) {
-      if (document.activeElement === slider || box.getAttribute('aria-invalid')) {
-        if (box.getAttribute('aria-invalid') && document.activeElement === box) return;
-      }
-      box.removeAttribute('aria-invalid');
-      box.value = String(value);
-      slider.value = String(toSlider(Number(value)));
-      slider.setAttribute('aria-valuetext', unit ? `${value} ${unit}` : String(value));
+    show: (value) => {
+      shown = Number(value);
+      if (!editing && !(box.getAttribute('aria-invalid') && document.activeElement === box)) show(shown);
     },
   };
 }

@@ -328,7 +328,7 @@ export const cases = [
   [
     'leaving_the_tab_pauses_and_stop_gives_the_processor_back',
     async (open) => {
-      const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 6000 } }));
+      const study = await openStudy(open, linkTo({ scenario: { ...SPEC.scenario, steps: 20_000 } }));
       const { page, inState } = study;
       await study.run.click();
       const hand = await study.hand();

@@ -62,10 +62,10 @@ enum Command {
         /// A scenario file
         scenario: PathBuf,
         /// Steps to run
-        #[arg(long, default_value_t = 2000)]
+        #[arg(long, default_value_t = 2000, value_parser = clap::value_parser!(u32).range(1..))]
         steps: u32,
         /// Seeds, from that of the scenario on, each for so many steps
-        #[arg(long, default_value_t = 1)]
+        #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
         seeds: u32,
     },
 }

@@ -83,24 +83,25 @@ impl Rest {
     fn is_empty(&self) -> bool {
         self.builtins.is_empty() && self.extras.is_empty() && self.boards.is_none()
     }
+}
 
-    /// The name in `BehaviorTree.CPP` and how many children a kind takes: least and most (`None`: no bound).
-    fn describe<L>(&self, kind: &Kind<L>) -> (&'static str, (usize, Option<usize>)) {
-        let many = (1, None);
-        let one = (1, Some(1));
-        match kind {
-            Kind::Sequence => ("Sequence", many),
-            Kind::SequenceWithMemory => ("SequenceWithMemory", many),
-            Kind::ReactiveSequence => ("ReactiveSequence", many),
-            Kind::Fallback => ("Fallback", many),
-            Kind::ReactiveFallback => ("ReactiveFallback", many),
-            Kind::Inverter => ("Inverter", one),
-            Kind::ForceSuccess => ("ForceSuccess", one),
-            Kind::ForceFailure => ("ForceFailure", one),
-            Kind::Leaf(_) => ("Leaf", (0, Some(0))),
-            Kind::Builtin(id) => {
-                self.builtins.get(id.0 as usize).map_or(("", many), |builtin| (builtin.name(), builtin.arity()))
-            }
+/// The name in `BehaviorTree.CPP` and how many children a kind takes: least and most (`None`: no bound).
+///
+/// - `builtins`: those of the tree.
+fn describe<L>(kind: &Kind<L>, builtins: &[Builtin]) -> (&'static str, (usize, Option<usize>)) {
+    let (many, one) = ((1, None), (1, Some(1)));
+    match kind {
+        Kind::Sequence => ("Sequence", many),
+        Kind::SequenceWithMemory => ("SequenceWithMemory", many),
+        Kind::ReactiveSequence => ("ReactiveSequence", many),
+        Kind::Fallback => ("Fallback", many),
+        Kind::ReactiveFallback => ("ReactiveFallback", many),
+        Kind::Inverter => ("Inverter", one),
+        Kind::ForceSuccess => ("ForceSuccess", one),
+        Kind::ForceFailure => ("ForceFailure", one),
+        Kind::Leaf(_) => ("Leaf", (0, Some(0))),
+        Kind::Builtin(id) => {
+            builtins.get(id.0 as usize).map_or(("", many), |builtin| (builtin.name(), builtin.arity()))
         }
     }
 }
@@ -116,7 +117,8 @@ impl<L> Tree<L> {
     #[must_use]
     pub fn kind_name(&self, node: NodeId) -> &'static str {
         let kind = &self.nodes[node.index()].kind;
-        self.rest.as_deref().map_or_else(|| Rest::default().describe(kind).0, |rest| rest.describe(kind).0)
+        let builtins = self.rest.as_ref().map_or(&[][..], |rest| &rest.builtins);
+        describe(kind, builtins).0
     }
 
     /// A built-in node with its ports; `None` for one of another tree.
@@ -313,7 +315,7 @@ impl<L> Builder<L> {
             return;
         };
         self.nodes[id.index()].end = end;
-        let (name, (least, most)) = self.rest.describe(&self.nodes[id.index()].kind);
+        let (name, (least, most)) = describe(&self.nodes[id.index()].kind, &self.rest.builtins);
         let found = Children { nodes: &self.nodes, next: id.0 + 1, end }.count();
         if (found < least || most.is_some_and(|most| found > most)) && self.fault.is_none() {
             let takes = match (least, most) {

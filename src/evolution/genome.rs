@@ -19,8 +19,7 @@ impl Clone for Genome {
     }
 
     fn clone_from(&mut self, source: &Self) {
-        self.codons.clone_from(&source.codons);
-        self.used = source.used;
+        self.copy_from(source.view());
     }
 }
 

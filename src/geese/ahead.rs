@@ -20,6 +20,9 @@ const LINE: usize = 64;
 const ARRAYS: usize = 8;
 const POINTED: usize = 4;
 
+/// How many programs ahead the memory of those to be taken up is called for.
+const TAKEN_UP: usize = 3;
+
 /// Whether so many agents are worth it. WebAssembly has no instruction to call for memory.
 pub fn reads_ahead(agents: usize) -> bool {
     cfg!(not(target_arch = "wasm32")) && agents >= CROWD
@@ -41,7 +44,7 @@ pub fn call_for_place<T>(list: &[T], place: usize) {
 }
 
 /// Calls for a whole list.
-fn call_for_all<T>(list: &[T]) {
+pub fn call_for_all<T>(list: &[T]) {
     (0..list.len()).step_by((LINE / size_of::<T>()).max(1)).for_each(|place| call_for_place(list, place));
 }
 
@@ -56,7 +59,7 @@ impl State {
         if !reads_ahead(self.order.len()) {
             return;
         }
-        if let Some(Controller::Tree(planted)) = self.replaced.next(3).map(|program| &program.controller) {
+        if let Some(Controller::Tree(planted)) = self.replaced.next(TAKEN_UP).map(|program| &program.controller) {
             call_for_tree(planted);
         }
     }

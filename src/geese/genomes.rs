@@ -3,7 +3,7 @@
 //! A meeting then notes a number. Copied at every meeting, the codons were most of what a crowd moved through memory, and
 //! most copies were thrown away unread.
 
-use super::ahead::call_for_place;
+use super::ahead::call_for_all;
 use crate::evolution::GenomeRef;
 
 /// The number of a genome among the [`Genomes`] of a swarm; good as long as it is held.
@@ -73,8 +73,7 @@ impl Genomes {
 
     /// Calls for a genome, see [`super::ahead`].
     pub fn call_for(&self, id: GenomeId) {
-        let start = id.0 as usize * self.size;
-        (start..start + self.size).step_by(32).for_each(|place| call_for_place(&self.places, place));
+        call_for_all(&self.places[id.0 as usize * self.size..][..self.size]);
     }
 
     /// One holder more.

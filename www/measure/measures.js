@@ -89,32 +89,47 @@ export function searchLayouts(Engine, json, layouts) {
  */
 export function playMatch(Engine, json, steps) {
   const { seed = 1, title, about, ...scenario } = JSON.parse(json);
-  return makeRun(Engine, { ...scenario, 'half-seconds': Math.max(1, Math.round(steps / 120)) }, seed, 'goals', 600);
+  const { seconds, fingerprint } = makeRun(Engine, { ...scenario, 'half-seconds': Math.max(1, Math.round(steps / 120)) }, seed, 'goals', 600);
+  return { seconds, fingerprint };
 }
 
 /**
- * A whole run of a swarm in WebAssembly, by the engine of the studies.
+ * A swarm in WebAssembly for a number of steps, by the engine of the studies; a run that ends is followed by the next seed.
  *
  * @param {typeof Study} Engine
  * @param {string} json
  * @param {number} steps
  */
 export function runStudy(Engine, json, steps) {
-  const { seed = 1, title, about, ...scenario } = JSON.parse(json);
-  return makeRun(Engine, { ...scenario, steps }, seed, 'share', 20);
+  const { seed: first = 1, title, about, ...scenario } = JSON.parse(json);
+  let done = { seconds: 0, fingerprint: '' };
+  for (let left = steps, seed = first; left > 0; seed += 1) {
+    const { seconds, fingerprint, value: made } = makeRun(Engine, { ...scenario, steps: left }, seed, 'steps', 20);
+    done = { seconds: done.seconds + seconds, fingerprint };
+    if (made === 0) break;
+    left -= made;
+  }
+  return done;
 }
 
-/** @param {typeof Study} Engine @param {object} scenario @param {number} seed @param {string} metric @param {number} slice */
+/**
+ * One run of a study: how long it took, its fingerprint, and the metric.
+ *
+ * @param {typeof Study} Engine @param {object} scenario @param {number} seed @param {string} metric @param {number} slice
+ */
 function makeRun(Engine, scenario, seed, metric, slice) {
   const study = new Engine(JSON.stringify({ study: 'bench', scenario, seeds: { first: seed, count: 1 }, metrics: [metric] }), '{}', 'paper');
   const job = study.start(0);
+  /** @type {string[]} */
+  let columns = [];
   const done = timed(() => {
     while (!job.advance(slice));
-    return job.line().trimEnd().split(',').at(-2) ?? ''; // the last column but the reason
+    columns = job.line().trimEnd().split(',').slice(-5); // the metric, version, study, fingerprint and reason
+    return columns[3] ?? '';
   });
   job.free();
   study.free();
-  return done;
+  return { ...done, value: Number(columns[0]) };
 }
 
 /** The middle of some numbers. @param {number[]} values at least one */
